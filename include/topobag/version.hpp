@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The library's version. This file is the only place that states it: CMake reads it from here.
+#define TOPOBAG_VERSION_MAJOR 0
+#define TOPOBAG_VERSION_MINOR 1
+#define TOPOBAG_VERSION_PATCH 0
