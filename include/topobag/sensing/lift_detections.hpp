@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <topobag/error.hpp>
+#include <topobag/sensing/depth_sampling.hpp>
+#include <topobag/sensing/depth_view.hpp>
+#include <topobag/sensing/node_noise.hpp>
+#include <topobag/sensing/pinhole_camera.hpp>
+#include <topobag/types/class_catalog.hpp>
+#include <topobag/types/detection.hpp>
+#include <topobag/types/semantic_node.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Which detections become nodes.
+struct LiftOptions {
+  DynamicsSet keep{Dynamics::low,
+                   Dynamics::medium};  ///< dynamic filter (3.1): levels that are kept
+  double min_confidence = 0.3;         ///< detector's score
+  double min_depth = 0.1;              ///< m
+  double max_depth = 10.0;             ///< m
+  double max_image_share = 0.5;  ///< share of the image's area; such a box is a room, not an object
+  NodeNoise noise{};             ///< gives each node its covariance
+};
+
+/// Why detections did not become nodes, counted. The first reason that applies counts, in this
+/// order.
+struct DroppedDetections {
+  std::size_t invalid = 0;  ///< box or score not finite, empty, or outside the image
+  std::size_t low_confidence = 0;
+  std::size_t dynamic = 0;
+  std::size_t too_large = 0;
+  std::size_t no_depth = 0;
+  std::size_t out_of_range = 0;
+
+  std::size_t total() const noexcept {
+    return invalid + low_confidence + dynamic + too_large + no_depth + out_of_range;
+  }
+};
+
+/// The nodes of one frame, in detection order.
+template <typename Scalar>
+struct LiftedNodes {
+  std::vector<SemanticNode<Scalar>> nodes;
+  std::vector<std::size_t> sources;  ///< index of the detection behind each node
+  DroppedDetections dropped;
+};
+
+namespace detail {
+
+/// eq. 1, 2, 5 for one detection; `depth_of(detection, box)` gives metres or nothing.
+template <typename Detections, typename DepthOf, typename Scalar>
+LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth_of,
+                              const PinholeCamera<Scalar>& camera, const ClassCatalog& catalog,
+                              const LiftOptions& options) {
+  using Traits = detection_traits<std::decay_t<decltype(*std::begin(detections))>>;
+  using Node = SemanticNode<Scalar>;
+  camera.validate();
+  const bool size_known = camera.width > 0 && camera.height > 0;
+  LiftedNodes<Scalar> lifted;
+  std::size_t index = 0;
+  for (auto it = std::begin(detections); it != std::end(detections); ++it, ++index) {
+    const auto& detection = *it;
+    const BoundingBox given = Traits::box(detection);
+    const BoundingBox box =
+        given.is_valid() && size_known ? given.clipped(camera.width, camera.height) : given;
+    const double confidence = Traits::confidence(detection);
+    const ClassId label = Traits::label(detection);
+    if (!catalog.contains(label)) {
+      throw UnknownClass("detection " + std::to_string(index) + " has class id " +
+                             std::to_string(value(label)) + ", which the catalog does not hold",
+                         index);
+    }
+    if (!box.is_valid() || !std::isfinite(confidence)) {
+      ++lifted.dropped.invalid;
+    } else if (confidence < options.min_confidence) {
+      ++lifted.dropped.low_confidence;
+    } else if (!options.keep.contains(catalog.dynamics(label))) {
+      ++lifted.dropped.dynamic;
+    } else if (size_known && box.area() > options.max_image_share * camera.width * camera.height) {
+      ++lifted.dropped.too_large;
+    } else if (const std::optional<double> z = depth_of(detection, box); !z || !std::isfinite(*z)) {
+      ++lifted.dropped.no_depth;
+    } else if (*z < options.min_depth || *z > options.max_depth) {
+      ++lifted.dropped.out_of_range;
+    } else {
+      Node node;
+      node.label = label;
+      node.pixel = box.center().template cast<Scalar>();
+      node.z = static_cast<Scalar>(*z);
+      node.position = camera.back_project(*node.pixel, node.z);
+      node.size = {static_cast<Scalar>(box.width()) * node.z / camera.fx,
+                   static_cast<Scalar>(box.height()) * node.z / camera.fy};
+      const bool truncated =
+          size_known && (box.x1 < 2.0 || box.y1 < 2.0 || box.x2 > camera.width - 3.0 ||
+                         box.y2 > camera.height - 3.0);
+      node.covariance = options.noise
+                            .covariance(node.position->template cast<double>(),
+                                        node.size.template cast<double>(), truncated)
+                            .template cast<Scalar>();
+      node.confidence = static_cast<Scalar>(confidence);
+      lifted.nodes.push_back(std::move(node));
+      lifted.sources.push_back(index);
+    }
+  }
+  return lifted;
+}
+
+}  // namespace detail
+
+/// Turns a detector's boxes and a depth source into semantic nodes: eq. 1, 2 and 5.
+///
+/// @param detections  any range whose elements fit `detection_traits`; boxes are clipped to the
+/// image
+/// @param depth       depth source: `pixel -> optional metres`
+/// @param camera      of the image the boxes are in; with its size known, cut and too large boxes
+/// are seen
+/// @param catalog     the classes that the labels number
+/// @param sampling    depth sampling policy: `RobustBoxDepth`, or `CenterDepth` for the paper's
+/// reading Throws UnknownClass with the detection's index, InvalidValue for a bad camera. O(n ·
+/// sampling).
+template <typename Detections, typename Depth, typename Scalar, typename Sampling = RobustBoxDepth>
+LiftedNodes<Scalar> lift_detections(const Detections& detections, const Depth& depth,
+                                    const PinholeCamera<Scalar>& camera,
+                                    const ClassCatalog& catalog, const LiftOptions& options = {},
+                                    const Sampling& sampling = {}) {
+  using T = std::decay_t<decltype(*std::begin(detections))>;
+  static_assert(is_detection_v<T>,
+                "topobag: specialise topobag::detection_traits for your detection type "
+                "(box, label, confidence).");
+  static_assert(is_depth_source_v<Depth>,
+                "topobag: a depth source is callable as depth(Eigen::Vector2d pixel) -> "
+                "std::optional<double> metres.");
+  if constexpr (is_detection_v<T> && is_depth_source_v<Depth>) {
+    return detail::lift_with(
+        detections, [&](const T&, const BoundingBox& box) { return sampling(depth, box); }, camera,
+        catalog, options);
+  } else {
+    return {};
+  }
+}
+
+/// The same for detections that know their depth (`detection_traits<T>::depth`).
+template <typename Detections, typename Scalar>
+LiftedNodes<Scalar> lift_detections(const Detections& detections,
+                                    const PinholeCamera<Scalar>& camera,
+                                    const ClassCatalog& catalog, const LiftOptions& options = {}) {
+  using T = std::decay_t<decltype(*std::begin(detections))>;
+  static_assert(is_ranged_detection_v<T>,
+                "topobag: without a depth source, topobag::detection_traits needs "
+                "depth(const T&) -> std::optional<double> metres.");
+  if constexpr (is_ranged_detection_v<T>) {
+    return detail::lift_with(
+        detections,
+        [](const T& detection, const BoundingBox&) -> std::optional<double> {
+          return detection_traits<T>::depth(detection);
+        },
+        camera, catalog, options);
+  } else {
+    return {};
+  }
+}
+
+}  // namespace v0
+}  // namespace topobag

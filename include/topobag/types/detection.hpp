@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include <topobag/types/bounding_box.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// One object that a detector saw in an image.
+struct Detection {
+  BoundingBox box;          ///< px
+  ClassId label{};          ///< class, numbered as in the catalog in use
+  double confidence = 1.0;  ///< detector's score in [0, 1]
+};
+
+/// Makes a detector's own struct usable as a detection, without a copy. Specialise it with
+///
+///     static BoundingBox box(const T&);
+///     static ClassId label(const T&);
+///     static double confidence(const T&);
+///
+/// and, where the front end knows the object's depth already (stereo, map points, a table),
+///
+///     static std::optional<double> depth(const T&);   // metres along the optical axis
+template <typename T>
+struct detection_traits {};
+
+template <>
+struct detection_traits<Detection> {
+  static const BoundingBox& box(const Detection& d) { return d.box; }
+  static ClassId label(const Detection& d) { return d.label; }
+  static double confidence(const Detection& d) { return d.confidence; }
+};
+
+namespace detail {
+
+template <typename T, typename = void>
+struct is_detection : std::false_type {};
+
+template <typename T>
+struct is_detection<
+    T,
+    std::enable_if_t<
+        std::is_convertible_v<decltype(detection_traits<T>::box(std::declval<const T&>())),
+                              BoundingBox> &&
+        std::is_same_v<decltype(detection_traits<T>::label(std::declval<const T&>())), ClassId> &&
+        std::is_convertible_v<decltype(detection_traits<T>::confidence(std::declval<const T&>())),
+                              double>>> : std::true_type {};
+
+template <typename T, typename = void>
+struct is_ranged_detection : std::false_type {};
+
+template <typename T>
+struct is_ranged_detection<
+    T, std::enable_if_t<std::is_convertible_v<
+           decltype(detection_traits<T>::depth(std::declval<const T&>())), std::optional<double>>>>
+    : is_detection<T> {};
+
+}  // namespace detail
+
+/// Whether `T` fits the detection concept (C++20: `concept DetectionType`).
+template <typename T>
+inline constexpr bool is_detection_v = detail::is_detection<T>::value;
+
+/// Whether `T` is a detection that knows its own depth.
+template <typename T>
+inline constexpr bool is_ranged_detection_v = detail::is_ranged_detection<T>::value;
+
+}  // namespace v0
+}  // namespace topobag
