@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/edges/knn_edges.hpp>
+#include <topobag/error.hpp>
+#include <topobag/graph/object_track.hpp>
+#include <topobag/graph/topology_graph.hpp>
+#include <topobag/graph/view.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+struct LocalGraphOptions {
+  double window = 3.0;  ///< s; views older than the newest by more are forgotten
+  double gate = 3.0;  ///< standard deviations within which a sighting joins an object of its class
+  double other_class_gate =
+      1.0;  ///< the same for another class: detectors waver between tv and laptop
+  double correlation =
+      0.5;  ///< share of a sighting's error that the object's other sightings repeat
+  double image_margin = 20.0;  ///< px from the border within which nothing need show
+  double max_depth = 8.0;      ///< m beyond which nothing need show
+  double min_existence =
+      0.25;  ///< an object seen in less of the views that should show it is dropped
+};
+
+/// Fuses the nodes of the last key frames into one flicker-proof graph in the newest key frame's
+/// frame.
+///
+/// Detectors flicker: most consecutive frames differ in the classes found. Moved by the front end's
+/// own relative poses, sightings of one object fall together; each object carries its existence
+/// evidence, class votes, mean position with covariance, and size. An object seen once that should
+/// have been seen again is dropped.
+template <typename Scalar_ = double>
+class LocalGraph {
+ public:
+  using Scalar = Scalar_;
+  using Node = SemanticNode<Scalar>;
+  using Pose = Eigen::Transform<Scalar, 3, Eigen::Isometry>;
+
+  explicit LocalGraph(LocalGraphOptions options = {}) : options_(options) {}
+
+  /// Adds the nodes of the next key frame. Nodes without a position are left out.
+  /// @param stamp               s, not before the last one
+  /// @param nodes               in the key frame's camera frame
+  /// @param T_previous_current  from this key frame's camera to the last added one's; ignored for
+  /// the first
+  /// @param view                the key frame's camera and occluders; `T_graph_camera` is ignored
+  /// Throws InvalidValue for a stamp that goes back or a pose that is not finite. O(objects ·
+  /// nodes).
+  void add(double stamp, const std::vector<Node>& nodes, const Pose& T_previous_current,
+           View<Scalar> view = {}) {
+    if (!std::isfinite(stamp) || (!frames_.empty() && stamp < frames_.back().stamp)) {
+      throw InvalidValue("a local graph's stamps must be finite and must not go back");
+    }
+    if (!frames_.empty() && !T_previous_current.matrix().allFinite()) {
+      throw InvalidValue("the relative pose is not finite");
+    }
+    if (!frames_.empty()) move_to_frame(T_previous_current.inverse());
+    forget_before(stamp - options_.window);
+    view.T_graph_camera.setIdentity();
+    frames_.push_back({stamp, next_view_, std::move(view)});
+    associate(nodes);
+    ++next_view_;
+  }
+
+  /// The fused graph. `view_count()` of its views come with it. O(objects · views + builder).
+  template <typename Builder = KnnEdges>
+  TopologyGraph<Scalar> graph(const Builder& builder = {}) const {
+    std::vector<Node> nodes;
+    for (const auto& [id, node] : objects()) nodes.push_back(node);
+    std::vector<View<Scalar>> views;
+    for (const Frame& frame : frames_) views.push_back(frame.view);
+    return make_topology_graph(std::move(nodes), builder, std::move(views));
+  }
+
+  /// The objects that `graph()` holds, in its order (ascending id).
+  std::vector<std::pair<ObjectId, Node>> objects() const {
+    std::vector<std::pair<ObjectId, Node>> kept;
+    for (const ObjectTrack<Scalar>& track : tracks_) {
+      Node node = track.fused(static_cast<Scalar>(options_.correlation));
+      const auto [seen, expected] = evidence(track, *node.position);
+      node.existence = static_cast<Scalar>(seen) / static_cast<Scalar>(expected);
+      if (static_cast<double>(node.existence) < options_.min_existence ||
+          (seen == 1 && expected > 2))
+        continue;
+      node.z = std::max(node.position->z(), Scalar(0));
+      node.pixel = frames_.back().view.camera.project(*node.position);
+      kept.emplace_back(track.id, std::move(node));
+    }
+    return kept;
+  }
+
+  std::size_t view_count() const noexcept { return frames_.size(); }
+
+ private:
+  struct Frame {
+    double stamp;
+    std::size_t number;
+    View<Scalar> view;
+  };
+
+  /// Carries everything into the newest camera's frame.
+  void move_to_frame(const Pose& T_new_old) {
+    for (Frame& frame : frames_) frame.view.T_graph_camera = T_new_old * frame.view.T_graph_camera;
+    const auto R = T_new_old.linear();
+    for (ObjectTrack<Scalar>& track : tracks_) {
+      for (auto& sighting : track.sightings) {
+        sighting.node.position = T_new_old * *sighting.node.position;
+        sighting.node.covariance = (R * sighting.node.covariance * R.transpose()).eval();
+      }
+    }
+  }
+
+  void forget_before(double stamp) {
+    while (!frames_.empty() && frames_.front().stamp < stamp) frames_.pop_front();
+    const std::size_t oldest = frames_.empty() ? next_view_ : frames_.front().number;
+    for (ObjectTrack<Scalar>& track : tracks_) {
+      auto& s = track.sightings;
+      s.erase(std::remove_if(s.begin(), s.end(),
+                             [&](const auto& sighting) { return sighting.view < oldest; }),
+              s.end());
+    }
+    tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(),
+                                 [](const auto& track) { return track.sightings.empty(); }),
+                  tracks_.end());
+  }
+
+  /// Gives each node to the nearest object within its gate, nearest pairs first; the rest found new
+  /// objects.
+  void associate(const std::vector<Node>& nodes) {
+    std::vector<Node> estimates;
+    for (const auto& track : tracks_)
+      estimates.push_back(track.fused(static_cast<Scalar>(options_.correlation)));
+    std::vector<std::tuple<Scalar, std::size_t, std::size_t>>
+        offers;  // deviation in gates, node, track
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      if (!nodes[n].position) continue;
+      for (std::size_t t = 0; t < estimates.size(); ++t) {
+        const double gate =
+            nodes[n].label == estimates[t].label ? options_.gate : options_.other_class_gate;
+        const Scalar deviation =
+            deviations_apart(nodes[n], estimates[t]) / static_cast<Scalar>(gate);
+        if (deviation <= Scalar(1)) offers.emplace_back(deviation, n, t);
+      }
+    }
+    std::sort(offers.begin(), offers.end());
+    std::vector<bool> placed(nodes.size(), false), taken(estimates.size(), false);
+    for (const auto& [deviation, n, t] : offers) {
+      if (placed[n]) continue;
+      // A second box on an object already seen in this frame is a duplicate when it lies well
+      // inside the gate.
+      if (taken[t] && deviation > Scalar(0.33)) continue;
+      if (!taken[t]) tracks_[t].sightings.push_back({next_view_, nodes[n]});
+      placed[n] = taken[t] = true;
+    }
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      if (placed[n] || !nodes[n].position) continue;
+      tracks_.push_back({ObjectId{next_id_++}, {{next_view_, nodes[n]}}});
+    }
+  }
+
+  /// Distance of two nodes in standard deviations along the line between them.
+  static Scalar deviations_apart(const Node& a, const Node& b) {
+    const typename Node::Vector3 delta = *a.position - *b.position;
+    const Scalar distance2 = delta.squaredNorm();
+    if (!(distance2 > Scalar(0))) return Scalar(0);
+    const Scalar variance = delta.dot((a.covariance + b.covariance) * delta) / distance2;
+    return variance > Scalar(0) ? std::sqrt(distance2 / variance)
+                                : std::numeric_limits<Scalar>::infinity();
+  }
+
+  /// Views that saw the object, and views that saw it or should have.
+  std::pair<std::size_t, std::size_t> evidence(const ObjectTrack<Scalar>& track,
+                                               const typename Node::Vector3& position) const {
+    std::size_t expected = 0;
+    for (const Frame& frame : frames_) {
+      const bool seen = std::any_of(track.sightings.begin(), track.sightings.end(),
+                                    [&](const auto& s) { return s.view == frame.number; });
+      const bool due = frame.view.should_show(position, static_cast<Scalar>(options_.image_margin),
+                                              static_cast<Scalar>(options_.max_depth));
+      if (seen || due) ++expected;
+    }
+    return {track.sightings.size(), expected};
+  }
+
+  LocalGraphOptions options_;
+  std::deque<Frame> frames_;                 ///< oldest first
+  std::vector<ObjectTrack<Scalar>> tracks_;  ///< ascending id
+  std::size_t next_view_ = 0;
+  std::uint64_t next_id_ = 0;
+};
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <topobag/types/semantic_node.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// An object of a local graph, the same while the window slides.
+enum class ObjectId : std::uint64_t {};
+
+/// The sightings of one object and what they say together.
+template <typename Scalar_ = double>
+struct ObjectTrack {
+  using Scalar = Scalar_;
+  using Node = SemanticNode<Scalar>;
+  using Vector3 = typename Node::Vector3;
+  using Matrix3 = typename Node::Matrix3;
+
+  /// One node of one view, with its position and covariance in the local graph's frame.
+  struct Sighting {
+    std::size_t view = 0;  ///< number of the view, ascending
+    Node node;
+  };
+
+  ObjectId id{};
+  std::vector<Sighting> sightings;
+
+  /// Class with the most confidence behind it; ties go to the smaller number.
+  ClassId label() const {
+    std::map<ClassId, Scalar> votes;
+    for (const Sighting& s : sightings) votes[s.node.label] += s.node.confidence;
+    const auto most =
+        std::max_element(votes.begin(), votes.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most->first;
+  }
+
+  /// The fused node: information-weighted mean position; its covariance shrinks as if `correlation`
+  /// of the sightings' errors were common to all (box and depth biases are). O(sightings).
+  Node fused(Scalar correlation) const {
+    Matrix3 information = Matrix3::Zero();
+    Vector3 weighted = Vector3::Zero();
+    std::vector<Scalar> widths, heights;
+    Node node;
+    node.confidence = Scalar(0);
+    for (const Sighting& s : sightings) {
+      const Matrix3 weight = s.node.covariance.inverse();
+      information += weight;
+      weighted += weight * *s.node.position;
+      widths.push_back(s.node.size.x());
+      heights.push_back(s.node.size.y());
+      node.confidence = std::max(node.confidence, s.node.confidence);
+    }
+    const Scalar n = static_cast<Scalar>(sightings.size());
+    const Matrix3 mean_covariance = information.inverse();
+    node.label = label();
+    node.position = mean_covariance * weighted;
+    node.covariance = mean_covariance * (Scalar(1) + (n - Scalar(1)) * correlation);
+    node.size = {median(widths), median(heights)};
+    return node;
+  }
+
+ private:
+  static Scalar median(std::vector<Scalar>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+};
+
+}  // namespace v0
+}  // namespace topobag

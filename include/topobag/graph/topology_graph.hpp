@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <topobag/edges/edge_list.hpp>
+#include <topobag/error.hpp>
+#include <topobag/graph/view.hpp>
+#include <topobag/types/semantic_node.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Semantic nodes joined by edges of metric length: the paper's topology graph (3.3).
+///
+/// Immutable once made. Positions are in the camera frame of the graph's key frame, metres.
+template <typename Scalar_ = double>
+class TopologyGraph {
+ public:
+  using Scalar = Scalar_;
+  using Node = SemanticNode<Scalar>;
+
+  TopologyGraph() = default;
+
+  /// @param nodes  in the order in which they are to be kept (the paper: the detector's)
+  /// @param edges  made canonical here; an edge at a node without a position has no length and is
+  /// left out
+  /// @param views  the cameras that looked for the nodes; may be empty (see `View`)
+  /// Throws InvalidValue with the node's or edge's index for a number that is not finite, an edge
+  /// from a node to itself, or an end beyond the nodes. O(n + m log m).
+  explicit TopologyGraph(std::vector<Node> nodes, EdgeList edges = {},
+                         std::vector<View<Scalar>> views = {})
+      : nodes_(std::move(nodes)), views_(std::move(views)) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) require_finite(nodes_[i], i);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (edges[i].a == edges[i].b || value(edges[i].a) >= nodes_.size() ||
+          value(edges[i].b) >= nodes_.size()) {
+        throw InvalidValue(
+            "edge " + std::to_string(i) + " does not join two different nodes of the graph", i);
+      }
+      const Edge edge = make_edge(edges[i].a, edges[i].b);
+      if (node(edge.a).position && node(edge.b).position) edges_.push_back(edge);
+    }
+    make_canonical(edges_);
+    lengths_.reserve(edges_.size());
+    for (const Edge& edge : edges_) {
+      lengths_.push_back((*node(edge.a).position - *node(edge.b).position).norm());
+    }
+  }
+
+  const std::vector<Node>& nodes() const noexcept { return nodes_; }
+  const Node& node(NodeIndex i) const noexcept { return nodes_[value(i)]; }
+  std::size_t size() const noexcept { return nodes_.size(); }
+  bool empty() const noexcept { return nodes_.empty(); }
+
+  /// Canonical: a < b, sorted, each once.
+  const EdgeList& edges() const noexcept { return edges_; }
+
+  /// d_ij of eq. 4, m, parallel to `edges()`.
+  const std::vector<Scalar>& lengths() const noexcept { return lengths_; }
+
+  /// The cameras that looked for the nodes, in the graph's frame.
+  const std::vector<View<Scalar>>& views() const noexcept { return views_; }
+
+  /// Whether there is enough to fit a pose: three nodes with a position.
+  bool is_matchable() const noexcept {
+    std::size_t placed = 0;
+    for (const Node& n : nodes_) placed += n.position ? 1 : 0;
+    return placed >= 3;
+  }
+
+ private:
+  static void require_finite(const Node& node, std::size_t index) {
+    const bool finite = (!node.pixel || node.pixel->allFinite()) && std::isfinite(node.z) &&
+                        (!node.position || node.position->allFinite()) &&
+                        node.covariance.allFinite() && node.size.allFinite() &&
+                        std::isfinite(node.confidence) && std::isfinite(node.existence);
+    if (!finite) {
+      throw InvalidValue("node " + std::to_string(index) + " holds a number that is not finite",
+                         index);
+    }
+  }
+
+  std::vector<Node> nodes_;
+  EdgeList edges_;
+  std::vector<Scalar> lengths_;
+  std::vector<View<Scalar>> views_;
+};
+
+/// Whether `Builder` is an edge builder over nodes of `Scalar` (C++20: `concept EdgeBuilder`).
+template <typename Builder, typename Scalar>
+inline constexpr bool is_edge_builder_v =
+    std::is_invocable_r_v<EdgeList, const Builder&, const std::vector<SemanticNode<Scalar>>&>;
+
+/// The graph of `nodes` with the edges that `builder` finds.
+template <typename Scalar, typename Builder>
+TopologyGraph<Scalar> make_topology_graph(std::vector<SemanticNode<Scalar>> nodes,
+                                          const Builder& builder,
+                                          std::vector<View<Scalar>> views = {}) {
+  static_assert(
+      is_edge_builder_v<Builder, Scalar>,
+      "topobag: an edge builder is callable as builder(const std::vector<SemanticNode<Scalar>>&) "
+      "-> EdgeList.");
+  EdgeList edges = builder(nodes);
+  return TopologyGraph<Scalar>(std::move(nodes), std::move(edges), std::move(views));
+}
+
+}  // namespace v0
+}  // namespace topobag

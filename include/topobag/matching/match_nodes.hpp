@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/consistency_graph.hpp>
+#include <topobag/matching/correspondence.hpp>
+#include <topobag/matching/detail/clique_search.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+struct MatchNodesOptions {
+  ConsistencyOptions consistency{};
+  std::size_t max_steps =
+      20000;  ///< branches of the search after which the best so far is returned
+};
+
+/// A set of node pairs that all agree with each other.
+struct NodeMatching {
+  std::vector<Correspondence> pairs;  ///< ascending query node
+  double rms_difference = 0.0;        ///< of the pairs' mutual distances, m; 0 for fewer than two
+  bool complete = true;               ///< false when a budget ended first: a larger set may exist
+  std::size_t steps = 0;              ///< branches searched
+};
+
+namespace detail {
+
+/// Root mean square of d(p, p') − d(q, q') over all pairs of `pairs`, m.
+template <typename Scalar>
+double rms_distance_difference(const TopologyGraph<Scalar>& candidate,
+                               const TopologyGraph<Scalar>& query,
+                               const std::vector<Correspondence>& pairs) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (std::size_t j = i + 1; j < pairs.size(); ++j) {
+      const auto p = (*candidate.node(pairs[i].candidate).position -
+                      *candidate.node(pairs[j].candidate).position);
+      const auto q = (*query.node(pairs[i].query).position - *query.node(pairs[j].query).position);
+      const double difference = static_cast<double>(p.norm() - q.norm());
+      sum += difference * difference;
+    }
+  }
+  const double count =
+      0.5 * static_cast<double>(pairs.size()) * (static_cast<double>(pairs.size()) - 1.0);
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+inline std::vector<Correspondence> pairs_of(const ConsistencyGraph& graph,
+                                            const std::vector<std::size_t>& clique) {
+  std::vector<Correspondence> pairs;
+  pairs.reserve(clique.size());
+  for (const std::size_t v : clique) pairs.push_back(graph.pairs()[v]);
+  return pairs;
+}
+
+}  // namespace detail
+
+/// The largest set of class-compatible node pairs whose mutual distances agree; of equally large
+/// sets the one whose distances differ least.
+///
+/// Found exactly, by branch and bound over the maximal cliques of the consistency graph, unless the
+/// deterministic budget ends first. Distances alone cannot tell a layout from its mirror image: see
+/// `match_graphs`. Does not change under a permutation of the nodes or a rigid motion of either
+/// graph. Exponential at worst; microseconds for the graphs of real frames.
+template <typename Scalar>
+NodeMatching match_nodes(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
+                         const MatchNodesOptions& options = {}) {
+  const ConsistencyGraph graph(candidate, query, options.consistency);
+  detail::CliqueSearch search(graph.agreement(), graph.query_of());
+  NodeMatching best;
+  best.steps = search.run(1, 0, options.max_steps, [&](const std::vector<std::size_t>& clique) {
+    std::vector<Correspondence> pairs = detail::pairs_of(graph, clique);
+    const double rms = detail::rms_distance_difference(candidate, query, pairs);
+    if (pairs.size() > best.pairs.size() ||
+        (pairs.size() == best.pairs.size() && rms < best.rms_difference)) {
+      best.pairs = std::move(pairs);
+      best.rms_difference = rms;
+    }
+  });
+  best.complete = graph.complete() && best.steps < options.max_steps;
+  return best;
+}
+
+}  // namespace v0
+}  // namespace topobag

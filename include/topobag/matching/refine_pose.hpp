@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <topobag/version.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Two measurements of one object's position and the covariance of each, m and m².
+struct PointPair {
+  Eigen::Vector3d target;
+  Eigen::Vector3d source;
+  Eigen::Matrix3d target_covariance;
+  Eigen::Matrix3d source_covariance;
+
+  Eigen::Vector3d residual(const Eigen::Isometry3d& T_target_source) const {
+    return target - T_target_source * source;
+  }
+
+  /// Of the residual.
+  Eigen::Matrix3d covariance(const Eigen::Isometry3d& T_target_source) const {
+    const Eigen::Matrix3d R = T_target_source.linear();
+    return target_covariance + R * source_covariance * R.transpose();
+  }
+
+  /// Squared Mahalanobis length of the residual: χ² with three degrees of freedom for a true pair.
+  double squared_deviation(const Eigen::Isometry3d& T_target_source) const {
+    const Eigen::Vector3d r = residual(T_target_source);
+    return r.dot(covariance(T_target_source).ldlt().solve(r));
+  }
+};
+
+struct RefinedPose {
+  Eigen::Isometry3d T_target_source;
+  /// Of ξ = (translation, rotation) in the target's frame, m and rad.
+  Eigen::Matrix<double, 6, 6> covariance;
+};
+
+struct RefineOptions {
+  int iterations = 5;
+  double kernel_width = 3.0;  ///< standard deviations at which the Geman–McClure kernel bends
+};
+
+/// Maximum-likelihood pose over all pairs, each weighted by its covariance, under a Geman–McClure
+/// kernel (Gauss–Newton, iteratively re-weighted). Its covariance is the inverse of the information
+/// at the optimum.
+///
+/// @param T_target_source  start, near the optimum
+/// Directions that the pairs leave open keep the start and get a variance of 10⁶. O(iterations ·
+/// n).
+inline RefinedPose refine_pose(Eigen::Isometry3d T_target_source,
+                               const std::vector<PointPair>& pairs,
+                               const RefineOptions& options = {}) {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  const double width2 = options.kernel_width * options.kernel_width;
+  const auto normal_equations = [&](Matrix6& H, Vector6& g) {
+    H = Matrix6::Identity() * 1e-6;
+    g.setZero();
+    for (const PointPair& pair : pairs) {
+      const Eigen::Vector3d r = pair.residual(T_target_source);
+      const Eigen::Matrix3d information = pair.covariance(T_target_source).inverse();
+      const double bent = 1.0 + r.dot(information * r) / width2;
+      const Eigen::Vector3d moved = T_target_source * pair.source;
+      Eigen::Matrix<double, 3, 6> J;  // of the moved source point by ξ
+      J << Eigen::Matrix3d::Identity(), (Eigen::Matrix3d() << 0.0, moved.z(), -moved.y(),
+                                         -moved.z(), 0.0, moved.x(), moved.y(), -moved.x(), 0.0)
+                                            .finished();
+      const Eigen::Matrix<double, 6, 3> weighted = J.transpose() * information / (bent * bent);
+      H += weighted * J;
+      g += weighted * r;
+    }
+  };
+  Matrix6 H;
+  Vector6 g;
+  for (int i = 0; i < options.iterations; ++i) {
+    normal_equations(H, g);
+    const Vector6 step = H.ldlt().solve(g);
+    const Eigen::Vector3d turn = step.tail<3>();
+    const double angle = turn.norm();
+    Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
+    if (angle > 0.0) move.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+    move.translation() = step.head<3>();
+    T_target_source = move * T_target_source;
+    if (step.norm() < 1e-9) break;
+  }
+  normal_equations(H, g);
+  T_target_source.linear() =
+      Eigen::Quaterniond(T_target_source.linear()).normalized().toRotationMatrix();
+  return {T_target_source, H.ldlt().solve(Matrix6::Identity())};
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <topobag/matching/correspondence.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// The pose of a query graph in a candidate graph, and what stands behind it.
+struct RelativePose {
+  /// From the camera frame of the query graph's key frame to that of the candidate's.
+  Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
+
+  /// Of the error ξ = (translation m, rotation rad) in the candidate's frame: T_true = Exp(ξ) ·
+  /// T_candidate_query.
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+
+  std::vector<Correspondence> inliers;  ///< ascending query node
+  double rms = 0.0;                     ///< of the inliers' residuals, m
+  double spread = 0.0;                  ///< r.m.s. distance of the inliers from a line, m
+  bool degenerate = true;               ///< fewer than three inliers, or all near one line
+
+  /// −log10 of the number of matches at least this good that chance would give
+  /// (`chance_model.hpp`).
+  double significance = 0.0;
+  /// What `significance` loses to objects that should have been seen and were not
+  /// (`missing_objects.hpp`).
+  double missing = 0.0;
+
+  /// What the decision looks at.
+  double score() const noexcept { return significance - missing; }
+};
+
+}  // namespace v0
+}  // namespace topobag
