@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace program {
+
+// One subcommand each: `add_<name>_command`, in <name>_command.cpp. A command throws
+// topobag::Error on bad input and prints its result to stdout at the very end, so that a failure
+// leaves no half of it there.
+
+}  // namespace program

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <topobag/version.hpp>
+
+#include "commands.hpp"
+
+namespace {
+
+/// Says what is wrong in one line on stderr.
+int fail(const std::string& message) {
+  std::cerr << "topobag: " << message.substr(0, message.find('\n')) << '\n';
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Recognises places by the objects in them.", "topobag");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::to_string(TOPOBAG_VERSION_MAJOR) + '.' +
+                                        std::to_string(TOPOBAG_VERSION_MINOR) + '.' +
+                                        std::to_string(TOPOBAG_VERSION_PATCH));
+  try {
+    app.parse(argc, argv);
+    if (!std::cout.flush()) return fail("the output cannot be written");
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // --help
+    return fail(error.what());
+  } catch (const std::exception& error) {
+    return fail(error.what());
+  }
+  return EXIT_SUCCESS;
+}

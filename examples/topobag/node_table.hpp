@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/types/class_catalog.hpp>
+#include <topobag/types/detection.hpp>
+
+namespace program {
+
+/// A detection that knows its depth: one row of a node table.
+struct TableDetection {
+  topobag::BoundingBox box;  ///< px
+  topobag::ClassId label{};  ///< class, numbered as in the catalog in use
+  double confidence = 1.0;   ///< detector's score in [0, 1]
+  double z = 0.0;            ///< depth, m; 0 = unknown
+};
+
+/// One image of a sequence and what a detector saw in it.
+struct FrameRow {
+  std::int64_t idx = 0;                             ///< number of the frame, unique in its table
+  std::string name;                                 ///< image file
+  double timestamp = 0.0;                           ///< s
+  std::optional<Eigen::Isometry3d> T_world_camera;  ///< true pose, m; absent when not known
+  std::vector<TableDetection> detections;
+};
+
+/// The frames of one sequence, in the order of time.
+///
+/// A table named SET is two files. `SET.frames.csv` has columns idx, frame, timestamp and
+/// optionally the pose tx ty tz qx qy qz qw (camera to world; empty where unknown);
+/// `SET.nodes.csv` has idx (of the frame), class, conf, u, v (box centre, px), w, h (box size, px),
+/// z (m, 0 = unknown) and optionally class_id. Further columns are ignored.
+struct NodeTable {
+  std::vector<FrameRow> frames;
+};
+
+/// Reads `set`.frames.csv and `set`.nodes.csv. Classes go by their name; class_id, where given,
+/// has to agree with `catalog`. Throws InputError with the file and the line.
+NodeTable read_node_table(const std::string& set,
+                          const topobag::ClassCatalog& catalog = topobag::ClassCatalog::coco80());
+
+/// Writes the two files. Throws InputError.
+void write_node_table(const std::string& set, const NodeTable& table,
+                      const topobag::ClassCatalog& catalog = topobag::ClassCatalog::coco80());
+
+}  // namespace program
+
+/// Lets `topobag::lift_detections(frame.detections, camera, catalog)` read a table's rows.
+template <>
+struct topobag::detection_traits<program::TableDetection> {
+  static const BoundingBox& box(const program::TableDetection& d) { return d.box; }
+  static ClassId label(const program::TableDetection& d) { return d.label; }
+  static double confidence(const program::TableDetection& d) { return d.confidence; }
+  static std::optional<double> depth(const program::TableDetection& d) {
+    return d.z > 0.0 ? std::optional<double>(d.z) : std::nullopt;
+  }
+};
