@@ -30,6 +30,8 @@ struct LocalGraphOptions {
       0.5;  ///< share of a sighting's error that the object's other sightings repeat
   double image_margin = 20.0;  ///< px from the border within which nothing need show
   double max_depth = 8.0;      ///< m beyond which nothing need show
+  std::size_t single_expected = 2;
+  double merge_ratio = 1.7, merge_share = 0.3, merge_gate = 2.0;
   double min_existence =
       0.25;  ///< an object seen in less of the views that should show it is dropped
 };
@@ -71,6 +73,7 @@ class LocalGraph {
     view.T_graph_camera.setIdentity();
     frames_.push_back({stamp, next_view_, std::move(view)});
     associate(nodes);
+    merge_coincident();
     ++next_view_;
   }
 
@@ -92,7 +95,7 @@ class LocalGraph {
       const auto [seen, expected] = evidence(track, *node.position);
       node.existence = static_cast<Scalar>(seen) / static_cast<Scalar>(expected);
       if (static_cast<double>(node.existence) < options_.min_existence ||
-          (seen == 1 && expected > 2))
+          (seen == 1 && expected > options_.single_expected))
         continue;
       node.z = std::max(node.position->z(), Scalar(0));
       node.pixel = frames_.back().view.camera.project(*node.position);
@@ -170,6 +173,46 @@ class LocalGraph {
     }
   }
 
+  /// Joins objects that are one: boxes of two classes on one thing, and tracks that split. The
+  /// older id stays.
+  void merge_coincident() {
+    std::vector<Node> estimates;
+    for (const auto& track : tracks_) {
+      estimates.push_back(track.fused(static_cast<Scalar>(options_.correlation)));
+    }
+    for (std::size_t a = 0; a < tracks_.size(); ++a) {
+      for (std::size_t b = a + 1; b < tracks_.size();) {
+        if (!coincide(tracks_[a], estimates[a], tracks_[b], estimates[b])) {
+          ++b;
+          continue;
+        }
+        auto& into = tracks_[a].sightings;
+        into.insert(into.end(), tracks_[b].sightings.begin(), tracks_[b].sightings.end());
+        std::stable_sort(into.begin(), into.end(),
+                         [](const auto& l, const auto& r) { return l.view < r.view; });
+        estimates[a] = tracks_[a].fused(static_cast<Scalar>(options_.correlation));
+        tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(b));
+        estimates.erase(estimates.begin() + static_cast<std::ptrdiff_t>(b));
+      }
+    }
+  }
+
+  bool coincide(const ObjectTrack<Scalar>& track_a, const Node& a,
+                const ObjectTrack<Scalar>& track_b, const Node& b) const {
+    const double size_a = static_cast<double>(a.size.norm()),
+                 size_b = static_cast<double>(b.size.norm());
+    if (std::max(size_a, size_b) > options_.merge_ratio * std::min(size_a, size_b)) return false;
+    const double distance = static_cast<double>((*a.position - *b.position).norm());
+    if (distance < options_.merge_share * std::min(size_a, size_b)) return true;
+    if (a.label != b.label) return false;
+    for (const auto& s : track_a.sightings) {
+      for (const auto& t : track_b.sightings) {
+        if (s.view == t.view) return false;
+      }
+    }
+    return static_cast<double>(deviations_apart(a, b)) < options_.merge_gate;
+  }
+
   /// Distance of two nodes in standard deviations along the line between them.
   static Scalar deviations_apart(const Node& a, const Node& b) {
     const typename Node::Vector3 delta = *a.position - *b.position;
@@ -183,15 +226,16 @@ class LocalGraph {
   /// Views that saw the object, and views that saw it or should have.
   std::pair<std::size_t, std::size_t> evidence(const ObjectTrack<Scalar>& track,
                                                const typename Node::Vector3& position) const {
-    std::size_t expected = 0;
+    std::size_t expected = 0, seen_views = 0;
     for (const Frame& frame : frames_) {
       const bool seen = std::any_of(track.sightings.begin(), track.sightings.end(),
                                     [&](const auto& s) { return s.view == frame.number; });
       const bool due = frame.view.should_show(position, static_cast<Scalar>(options_.image_margin),
                                               static_cast<Scalar>(options_.max_depth));
+      if (seen) ++seen_views;
       if (seen || due) ++expected;
     }
-    return {track.sightings.size(), expected};
+    return {seen_views, expected};
   }
 
   LocalGraphOptions options_;

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 
 namespace topobag {
@@ -22,7 +23,9 @@ inline namespace v0 {
 /// that one such choice fits a rigid motion this well.
 struct ChanceModel {
   double min_residual = 0.04;  ///< m; a better fit than this is luck
-  double fill = 0.35;          ///< share of the cube of the graph's extent in which objects lie
+  double xl = 0.3;
+  double lw = 0, ls = 1;
+  double fill = 0.35;  ///< share of the cube of the graph's extent in which objects lie
 
   /// −log10 of the expected number of false matches with as many pairs and as small an `rms`
   /// residual.
@@ -31,7 +34,8 @@ struct ChanceModel {
   /// O(n + k).
   template <typename Scalar>
   double significance(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
-                      const std::vector<Correspondence>& pairs, double rms) const {
+                      const std::vector<Correspondence>& pairs, double rms,
+                      const ClassGroups& classes = {}) const {
     const std::size_t k = pairs.size();
     if (k < 3) return 0.0;
     struct Counts {
@@ -39,12 +43,13 @@ struct ChanceModel {
     };
     std::map<ClassId, Counts> counts;
     for (const auto& node : candidate.nodes()) {
-      if (node.position) ++counts[node.label].candidate;
+      if (node.position) ++counts[classes.group(node.label)].candidate;
     }
     for (const auto& node : query.nodes()) {
-      if (node.position) ++counts[node.label].query;
+      if (node.position) ++counts[classes.group(node.label)].query;
     }
-    for (const Correspondence& pair : pairs) ++counts[query.node(pair.query).label].matched;
+    for (const Correspondence& pair : pairs)
+      ++counts[classes.group(query.node(pair.query).label)].matched;
 
     double log_ways = 0.0;
     std::size_t most = 0;
@@ -58,14 +63,21 @@ struct ChanceModel {
     }
     log_ways += log_choose(std::max(most, k), k);
 
-    const double extent = std::max(2.0 * rms_extent(candidate), 4.0 * min_residual);
+    std::vector<SemanticNode<Scalar>> mm;
+    for (auto& pr : pairs) mm.push_back(candidate.node(pr.candidate));
+    const double e1 = rms_extent(candidate.nodes()), e2 = rms_extent(mm);
+    const double extent =
+        std::max(2.0 * std::pow(e1, 1 - lw) * std::pow(ls * e2, lw), 4.0 * min_residual);
     const double residual = std::max(rms, min_residual);
     const double p_distance = std::min(1.0, 4.0 * residual / extent);
     const double ball = 4.0 / 3.0 * 3.14159265358979 * std::pow(2.0 * residual, 3);
     const double p_place = std::min(1.0, ball / (fill * std::pow(extent, 3)));
     const double log_fit =
         3.0 * std::log(p_distance) + static_cast<double>(k - 3) * std::log(p_place);
-    return -(log_ways + log_fit) / std::log(10.0);
+    double cross = 0;
+    for (const Correspondence& pair : pairs)
+      if (query.node(pair.query).label != candidate.node(pair.candidate).label) cross += xl;
+    return -(log_ways + log_fit) / std::log(10.0) - cross;
   }
 
  private:
@@ -76,10 +88,10 @@ struct ChanceModel {
 
   /// Root mean square distance of the placed nodes from their centroid, m.
   template <typename Scalar>
-  static double rms_extent(const TopologyGraph<Scalar>& graph) {
+  static double rms_extent(const std::vector<SemanticNode<Scalar>>& nodes) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double squares = 0.0, n = 0.0;
-    for (const auto& node : graph.nodes()) {
+    for (const auto& node : nodes) {
       if (!node.position) continue;
       const Eigen::Vector3d position = node.position->template cast<double>();
       sum += position;

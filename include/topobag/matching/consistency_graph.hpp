@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include <topobag/graph/topology_graph.hpp>
-#include <topobag/matching/class_compatibility.hpp>
+#include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/detail/bit_matrix.hpp>
 
@@ -20,12 +20,12 @@ inline namespace v0 {
 
 /// When two nodes may be one object, and when two such pairs agree.
 struct ConsistencyOptions {
-  ClassCompatibility classes{};  ///< same class, and what the user adds
-  double max_size_ratio = 3.0;   ///< between the diagonals of two objects; a cut box shrinks
-  double deviations = 2.5;       ///< standard deviations that two distances may differ by
-  double min_tolerance = 0.05;   ///< m, whatever the covariances say
-  double max_tolerance = 0.20;   ///< m
-  std::size_t max_pairs = 512;   ///< beyond it the classes with the most pairs are left out
+  ClassGroups classes{};        ///< same class, and what the user adds
+  double max_size_ratio = 3.0;  ///< between the diagonals of two objects; a cut box shrinks
+  double deviations = 2.5;      ///< standard deviations that two distances may differ by
+  double min_tolerance = 0.05;  ///< m, whatever the covariances say
+  double max_tolerance = 0.20;  ///< m
+  std::size_t max_pairs = 512;  ///< beyond it the classes with the most pairs are left out
 };
 
 /// The same-class node pairs of two graphs, and which of them agree: pairs (p, q), (p', q') of
@@ -85,7 +85,8 @@ class ConsistencyGraph {
       if (!query.nodes()[q].position) continue;
       for (std::size_t p = 0; p < candidate.size(); ++p) {
         if (!candidate.nodes()[p].position) continue;
-        if (!options.classes(candidate.nodes()[p].label, query.nodes()[q].label)) continue;
+        if (!options.classes.compatible(candidate.nodes()[p].label, query.nodes()[q].label))
+          continue;
         if (!sizes_fit(candidate.nodes()[p], query.nodes()[q], options.max_size_ratio)) continue;
         pairs.push_back({node_index(p), node_index(q)});
         ++pairs_of_class[query.nodes()[q].label];

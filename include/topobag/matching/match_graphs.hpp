@@ -131,9 +131,10 @@ class PoseSearch {
     pose.rms = std::sqrt(squares / static_cast<double>(pose.inliers.size()));
     pose.spread = fit(pose.inliers).spread;
     pose.degenerate = pose.spread < options_.min_spread;
-    pose.significance = options_.chance.significance(candidate_, query_, pose.inliers, pose.rms);
-    pose.missing =
-        options_.missing.penalty(candidate_, query_, pose.inliers, pose.T_candidate_query);
+    pose.significance = options_.chance.significance(candidate_, query_, pose.inliers, pose.rms,
+                                                     options_.consistency.classes);
+    pose.missing = options_.missing.find(candidate_, query_, pose.inliers, pose.T_candidate_query);
+    for (const MissingObject& object : pose.missing) pose.missing_cost += object.cost;
     return pose;
   }
 

@@ -14,52 +14,80 @@
 namespace topobag {
 inline namespace v0 {
 
-/// Negative evidence: objects of one graph that the other's cameras should have seen, and did not.
-struct MissingObjects {
-  double weight = 1.0;
-  double max_detection_rate = 0.8;  ///< of one view; even a plain object is overlooked now and then
-  double correlation = 0.5;
-  double min_probability =
-      0.1;  ///< that an object is missing for another reason: moved, hidden, renamed
-  double image_margin = 40.0;  ///< px
-  double max_depth = 5.0;      ///< m
+/// An object of one graph that a camera of the other should have seen, and did not.
+struct MissingObject {
+  NodeIndex node{};  ///< in the graph that holds it
+  bool of_candidate =
+      true;  ///< held by the candidate graph (and missing from the query), or the other way round
+  std::size_t views = 0;  ///< cameras of the other graph that should have shown it
+  double cost = 0.0;      ///< −log10 P(missing | same place)
+};
 
-  /// Sum over the missing objects of −log10 P(missing | same place).
+/// Negative evidence: what should have been seen, and was not, speaks against a match. What is out
+/// of view, too far away or hidden behind a nearer box counts nothing; nor does a graph without
+/// views.
+struct MissingObjects {
+  double max_detection_rate = 0.8;  ///< of one view; even a plain object is overlooked now and then
+  double correlation =
+      0.5;  ///< share of a view's chance to overlook an object that its other views repeat
+  double min_probability =
+      0.25;  ///< that an object is missing for another reason: moved, hidden, renamed
+  double image_margin = 40.0;  ///< px from the border within which nothing need show
+  double max_depth = 5.0;      ///< m beyond which nothing need show
+  double same_spot =
+      0.1;  ///< m; an object of another class this near (plus half its size) is the same, renamed
+  double same_spot_b = 0.5;
+  double renamed_cost = 0.0;
+
+  /// The missing objects of both graphs under a pose, the candidate's first, ascending. O(nodes ·
+  /// views).
   template <typename Scalar>
-  double penalty(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
-                 const std::vector<Correspondence>& inliers,
-                 const Eigen::Isometry3d& T_candidate_query) const {
+  std::vector<MissingObject> find(const TopologyGraph<Scalar>& candidate,
+                                  const TopologyGraph<Scalar>& query,
+                                  const std::vector<Correspondence>& inliers,
+                                  const Eigen::Isometry3d& T_candidate_query) const {
     std::vector<bool> candidate_matched(candidate.size(), false),
         query_matched(query.size(), false);
     for (const Correspondence& pair : inliers) {
       candidate_matched[value(pair.candidate)] = true;
       query_matched[value(pair.query)] = true;
     }
-    return weight * (one_way(candidate, candidate_matched, query, T_candidate_query.inverse()) +
-                     one_way(query, query_matched, candidate, T_candidate_query));
+    std::vector<MissingObject> missing;
+    look_for(candidate, candidate_matched, query, T_candidate_query.inverse(), true, missing);
+    look_for(query, query_matched, candidate, T_candidate_query, false, missing);
+    return missing;
   }
 
  private:
   template <typename Scalar>
-  double one_way(const TopologyGraph<Scalar>& from, const std::vector<bool>& matched,
-                 const TopologyGraph<Scalar>& to, const Eigen::Isometry3d& T_to_from) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      const auto& node = from.nodes()[i];
+  void look_for(const TopologyGraph<Scalar>& held, const std::vector<bool>& matched,
+                const TopologyGraph<Scalar>& other, const Eigen::Isometry3d& T_other_held,
+                bool of_candidate, std::vector<MissingObject>& missing) const {
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      const auto& node = held.nodes()[i];
       if (matched[i] || !node.position) continue;
-      const Eigen::Vector3d position = T_to_from * node.position->template cast<double>();
+      const Eigen::Vector3d position = T_other_held * node.position->template cast<double>();
       std::size_t views = 0;
-      for (const auto& view : to.views()) {
+      for (const auto& view : other.views()) {
         if (view.should_show(position.template cast<Scalar>(), static_cast<Scalar>(image_margin),
-                             static_cast<Scalar>(max_depth)))
+                             static_cast<Scalar>(max_depth))) {
           ++views;
+        }
       }
       if (views == 0) continue;
       const double rate = std::min(max_detection_rate, static_cast<double>(node.existence));
       const double looks = 1.0 + (static_cast<double>(views) - 1.0) * (1.0 - correlation);
-      sum -= std::log10(std::max(min_probability, std::pow(1.0 - rate, looks)));
+      double cost = -std::log10(std::max(min_probability, std::pow(1.0 - rate, looks)));
+      bool renamed = false;
+      for (const auto& o : other.nodes()) {
+        if (!o.position) continue;
+        const double reach = same_spot + same_spot_b * static_cast<double>(node.size.norm());
+        if (same_spot > 0.0 && (o.position->template cast<double>() - position).norm() < reach)
+          renamed = true;
+      }
+      if (renamed) cost = std::min(cost, renamed_cost);
+      missing.push_back({node_index(i), of_candidate, views, cost});
     }
-    return sum;
   }
 };
 

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/matching/correspondence.hpp>
+#include <topobag/matching/missing_objects.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -30,10 +31,11 @@ struct RelativePose {
   double significance = 0.0;
   /// What `significance` loses to objects that should have been seen and were not
   /// (`missing_objects.hpp`).
-  double missing = 0.0;
+  std::vector<MissingObject> missing;
+  double missing_cost = 0.0;
 
   /// What the decision looks at.
-  double score() const noexcept { return significance - missing; }
+  double score() const noexcept { return significance - missing_cost; }
 };
 
 }  // namespace v0
