@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <tuple>
+
+#include <topobag/bag/entry_info.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Key frames too near to the query to count as another visit.
+struct ExcludedNeighbors {
+  std::optional<KeyframeId> id;  ///< the query's; with it, ids less than `min_id_gap` away are left out
+  std::uint64_t min_id_gap = 1;
+  std::optional<double> stamp;   ///< the query's, s; with it, entries are left out that have no stamp or
+  double min_time_gap = 0.0;     ///< are less than this apart from it, s
+
+  bool contains(KeyframeId entry, const EntryInfo& info) const {
+    if (id) {
+      const std::uint64_t a = value(*id), b = value(entry);
+      if ((a > b ? a - b : b - a) < min_id_gap) return true;
+    }
+    return stamp && (!info.stamp || std::abs(*info.stamp - *stamp) < min_time_gap);
+  }
+};
+
+struct QueryOptions {
+  std::size_t max_results = 10;
+  double min_score = 0.0;     ///< similarity below which an entry is no candidate
+  ExcludedNeighbors exclude;
+  std::function<bool(KeyframeId, const EntryInfo&)> filter;  ///< when set, only entries it returns true for
+};
+
+/// An entry of the bag that resembles the query.
+struct Candidate {
+  KeyframeId id{};
+  double score = 0.0;  ///< similarity in [0, 1]
+
+  /// Best first: by falling score, ties by id.
+  friend bool operator<(const Candidate& l, const Candidate& r) noexcept {
+    return std::tie(r.score, l.id) < std::tie(l.score, r.id);
+  }
+  friend bool operator==(const Candidate& l, const Candidate& r) noexcept {
+    return l.id == r.id && l.score == r.score;
+  }
+};
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/error.hpp>
+#include <topobag/recognition/relocalizer.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+struct LoopOptions {
+  double min_gap = 20.0;  ///< s; nearer key frames are the present visit, not an earlier one
+  RecognitionOptions recognition{};
+};
+
+/// Recognises earlier places while a map grows.
+///
+///     LoopDetector<> loops;
+///     for (each key frame) if (const Recognition r = loops.detect_and_add(id, stamp, graph)) close(id, r);
+template <typename Bag_ = BagOfTopologyGraphs<>>
+class LoopDetector {
+ public:
+  using Bag = Bag_;
+  using Graph = typename Bag::Graph;
+
+  explicit LoopDetector(LoopOptions options = {}, Bag bag = Bag{})
+      : min_gap_(options.min_gap), relocalizer_(std::move(options.recognition), std::move(bag)) {}
+
+  const Bag& bag() const noexcept { return relocalizer_.map(); }
+  Bag& bag() noexcept { return relocalizer_.map(); }
+
+  /// Looks the key frame up among those at least `min_gap` older. Nothing is added.
+  Recognition detect(double stamp, const Graph& graph) const {
+    RecognitionOptions options = relocalizer_.options();
+    auto wanted = options.retrieval.filter;
+    options.retrieval.filter = [this, stamp, wanted](KeyframeId id, const EntryInfo& info) {
+      return info.stamp && *info.stamp <= stamp - min_gap_ && (!wanted || wanted(id, info));
+    };
+    return relocalizer_.localize(graph, options);
+  }
+
+  /// `detect`, then puts the key frame into the bag.
+  Recognition detect_and_add(KeyframeId id, double stamp, Graph graph, EntryInfo info = {}) {
+    Recognition recognition = detect(stamp, graph);
+    info.stamp = stamp;
+    bag().add(id, std::move(graph), std::move(info));
+    return recognition;
+  }
+
+ private:
+  double min_gap_;
+  Relocalizer<Bag> relocalizer_;
+};
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/recognition/recognition.hpp>
+#include <topobag/recognition/verify_candidates.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+struct RecognitionOptions {
+  std::size_t max_candidates = 256;  ///< best of the retrieval that are matched; all in a small bag
+  QueryOptions retrieval{};          ///< its `max_results` is overruled by `max_candidates`
+  MatchOptions matching{};
+  DecisionOptions decision{};
+};
+
+/// Finds a lost camera in a map.
+///
+///     Relocalizer<> relocalizer;
+///     for (each key frame of the map) relocalizer.map().add(id, graph, {stamp, session, T_world_camera});
+///     if (const Recognition r = relocalizer.localize(query_graph)) use(r.accepted->pose->T_candidate_query);
+template <typename Bag_ = BagOfTopologyGraphs<>>
+class Relocalizer {
+ public:
+  using Bag = Bag_;
+  using Graph = typename Bag::Graph;
+
+  explicit Relocalizer(RecognitionOptions options = {}, Bag map = Bag{})
+      : options_(std::move(options)), map_(std::move(map)) {}
+
+  Bag& map() noexcept { return map_; }
+  const Bag& map() const noexcept { return map_; }
+
+  /// Where in the map the query was taken, and why, or why not. The query is not added.
+  /// Deterministic. O(n · similarity + max_candidates · matching).
+  Recognition localize(const Graph& query) const { return localize(query, options_); }
+
+  /// The same with options for this query alone.
+  Recognition localize(const Graph& query, const RecognitionOptions& options) const {
+    QueryOptions retrieval = options.retrieval;
+    retrieval.max_results = options.max_candidates;
+    return verify_candidates(map_, query, map_.query(query, retrieval), options.matching, options.decision);
+  }
+
+  const RecognitionOptions& options() const noexcept { return options_; }
+
+  /// The query camera's pose in the map's world, when it was recognised and the matched entry's pose is known.
+  std::optional<Eigen::Isometry3d> T_world_query(const Recognition& recognition) const {
+    if (!recognition) return std::nullopt;
+    const auto info = map_.info(recognition.accepted->id);
+    if (!info || !info->T_world_camera) return std::nullopt;
+    return *info->T_world_camera * recognition.accepted->pose->T_candidate_query;
+  }
+
+ private:
+  RecognitionOptions options_;
+  Bag map_;
+};
+
+}  // namespace v0
+}  // namespace topobag

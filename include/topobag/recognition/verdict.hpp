@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <topobag/version.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// How far a candidate came. Later values passed the earlier stages.
+enum class Verdict {
+  no_agreement,  ///< no three objects of the same classes lie alike
+  degenerate,    ///< the matched objects leave the pose open: nearly on a line, or too close together
+  chance,        ///< such a match would come about by chance too often, or too much is missing
+  ambiguous,     ///< another pose fits about as well
+  outdone,       ///< good enough, but another candidate is better
+  accepted,
+};
+
+/// In words, for a log.
+inline const char* to_string(Verdict verdict) noexcept {
+  switch (verdict) {
+    case Verdict::no_agreement:
+      return "no three objects agree";
+    case Verdict::degenerate:
+      return "the matched objects leave the pose open";
+    case Verdict::chance:
+      return "may well be chance";
+    case Verdict::ambiguous:
+      return "another pose fits about as well";
+    case Verdict::outdone:
+      return "another candidate is better";
+    case Verdict::accepted:
+      return "accepted";
+  }
+  return "";
+}
+
+}  // namespace v0
+}  // namespace topobag
