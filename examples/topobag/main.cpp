@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::to_string(TOPOBAG_VERSION_MAJOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_MINOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_PATCH));
+  program::add_nodes_command(app);
   try {
     app.parse(argc, argv);
     if (!std::cout.flush()) return fail("the output cannot be written");
