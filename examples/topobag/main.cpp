@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     if (!std::cout.flush()) return fail("the output cannot be written");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // --help
-    return fail(error.what());
+    return fail(error.what() + std::string("; see topobag --help"));
   } catch (const std::exception& error) {
     return fail(error.what());
   }

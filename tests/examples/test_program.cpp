@@ -31,11 +31,11 @@ TEST_CASE("the program helps", "[examples]") {
 }
 
 TEST_CASE("wrong arguments end the program with one line and exit code 2", "[examples]") {
-  CHECK(refusal("") == "A subcommand is required");
+  CHECK(refusal("") == "A subcommand is required; see topobag --help");
   refusal("fly");
-  CHECK(refusal("nodes") == "--images is required");
+  CHECK(refusal("nodes") == "--images is required; see topobag --help");
   const std::string nodes = "nodes --images nowhere --model nothing --out nodes ";
-  CHECK(refusal(nodes) == "--camera is required");
+  CHECK(refusal(nodes) == "--camera is required; see topobag --help");
   CHECK(refusal(nodes + "--camera 500,500,320") ==
         "--camera 500,500,320: there are not 4 or 6 numbers; give fx,fy,cx,cy or "
         "fx,fy,cx,cy,width,height");
