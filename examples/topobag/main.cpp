@@ -26,12 +26,13 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::to_string(TOPOBAG_VERSION_MAJOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_MINOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_PATCH));
+  program::add_nodes_command(app);
   try {
     app.parse(argc, argv);
     if (!std::cout.flush()) return fail("the output cannot be written");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // --help
-    return fail(error.what());
+    return fail(error.what() + std::string("; see topobag --help"));
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -41,3 +41,19 @@ TEST_CASE("intersection over union on hand-computed boxes", "[types]") {
   CHECK(intersection_over_union(a, {1, 1, 3, 3}) == Approx(1.0 / 7.0));
   CHECK(intersection_over_union(a, {2, 0, 3, 1}) == 0.0);
 }
+
+TEST_CASE("a box around a centre has that centre, width and height", "[types]") {
+  const BoundingBox box = box_around({100.0, 50.0}, 30.0, 8.0);
+  CHECK(box.x1 == 85.0);
+  CHECK(box.y1 == 46.0);
+  CHECK(box.x2 == 115.0);
+  CHECK(box.y2 == 54.0);
+}
+
+TEST_CASE("a box contains its border", "[types]") {
+  const BoundingBox box{10.0, 20.0, 30.0, 60.0};
+  CHECK(box.contains({10.0, 20.0}));
+  CHECK(box.contains({30.0, 60.0}));
+  CHECK_FALSE(box.contains({30.1, 40.0}));
+  CHECK_FALSE(box.contains({20.0, 19.9}));
+}

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <topobag/assert.hpp>
 #include <topobag/types/bounding_box.hpp>
 
 namespace topobag {
@@ -31,7 +32,7 @@ struct CenterDepth {
 /// Deterministic. O(s² log s) for an s × s grid.
 struct RobustBoxDepth {
   double central_share = 0.6;    ///< share of the box's width and height that is sampled
-  int grid = 24;                 ///< at most grid × grid samples
+  int grid = 24;                 ///< at most grid × grid samples; >= 1
   double min_valid_share = 0.1;  ///< with fewer measured samples there is no depth
   double cluster_width = 0.06;   ///< a cluster spans this share of its depth, and at least 5 cm
   double min_cluster_share =
@@ -70,8 +71,8 @@ struct RobustBoxDepth {
   std::vector<double> samples(const Depth& depth, const BoundingBox& box) const {
     const double width = box.width() * central_share;
     const double height = box.height() * central_share;
-    const int columns = std::clamp(static_cast<int>(width), 1, grid);
-    const int rows = std::clamp(static_cast<int>(height), 1, grid);
+    const int columns = grid_size(width);
+    const int rows = grid_size(height);
     const Eigen::Vector2d corner = box.center() - Eigen::Vector2d(width, height) / 2.0;
     std::vector<double> depths;
     depths.reserve(static_cast<std::size_t>(columns * rows));
@@ -79,12 +80,19 @@ struct RobustBoxDepth {
       for (int column = 0; column < columns; ++column) {
         const Eigen::Vector2d pixel =
             corner + Eigen::Vector2d((column + 0.5) * width / columns, (row + 0.5) * height / rows);
-        if (const std::optional<double> z = depth(pixel)) depths.push_back(*z);
+        const std::optional<double> z = depth(pixel);
+        if (z && *z > 0.0 && std::isfinite(*z)) depths.push_back(*z);
       }
     }
     if (static_cast<double>(depths.size()) < min_valid_share * columns * rows) depths.clear();
     std::sort(depths.begin(), depths.end());
     return depths;
+  }
+
+  /// One sample a pixel, at most `grid`; clamped as a double, for a box may be wider than an int.
+  int grid_size(double pixels) const {
+    TOPOBAG_ASSERT(grid >= 1);
+    return static_cast<int>(std::clamp(pixels, 1.0, static_cast<double>(grid)));
   }
 };
 

@@ -91,6 +91,7 @@ DepthView<typename Plain::Scalar> depth_view(const Eigen::Map<Plain, Options, St
                                              double depth_scale) {
   static_assert(Plain::IsRowMajor,
                 "topobag: a depth image must be stored row by row (Eigen::RowMajor).");
+  if (image.innerStride() != 1) throw InvalidValue("the depth image's pixels have gaps in a row");
   return {image.data(), static_cast<int>(image.cols()), static_cast<int>(image.rows()), depth_scale,
           image.outerStride()};
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -35,7 +36,8 @@ struct LiftOptions {
 /// Why detections did not become nodes, counted. The first reason that applies counts, in this
 /// order.
 struct DroppedDetections {
-  std::size_t invalid = 0;  ///< box or score not finite, empty, or outside the image
+  std::size_t invalid = 0;  ///< box or score not finite, empty, outside the image or of a size
+                            ///< that overflows
   std::size_t low_confidence = 0;
   std::size_t dynamic = 0;
   std::size_t too_large = 0;
@@ -44,6 +46,16 @@ struct DroppedDetections {
 
   std::size_t total() const noexcept {
     return invalid + low_confidence + dynamic + too_large + no_depth + out_of_range;
+  }
+
+  DroppedDetections& operator+=(const DroppedDetections& other) noexcept {
+    invalid += other.invalid;
+    low_confidence += other.low_confidence;
+    dynamic += other.dynamic;
+    too_large += other.too_large;
+    no_depth += other.no_depth;
+    out_of_range += other.out_of_range;
+    return *this;
   }
 };
 
@@ -107,6 +119,10 @@ LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth
                             .covariance(node.position->template cast<double>(),
                                         node.size.template cast<double>(), truncated)
                             .template cast<Scalar>();
+      if (!node.position->allFinite() || !node.covariance.allFinite()) {
+        ++lifted.dropped.invalid;
+        continue;
+      }
       node.confidence = static_cast<Scalar>(confidence);
       lifted.nodes.push_back(std::move(node));
       lifted.sources.push_back(index);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Core>
@@ -38,7 +39,9 @@ struct NodeNoise {
     const double across2 = square(box_floor) + square(box_jitter * extent) +
                            (truncated ? square(truncation * extent) : 0.0);
     const Eigen::Vector3d ray = position.normalized();
-    return across2 * Eigen::Matrix3d::Identity() + (along2 - across2) * ray * ray.transpose();
+    // A product of its own, for Eigen would scale one factor first and lose the symmetry.
+    const Eigen::Matrix3d projection = ray * ray.transpose();
+    return across2 * Eigen::Matrix3d::Identity() + (along2 - across2) * projection;
   }
 
  private:

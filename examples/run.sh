@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Builds the topobag program and re-localizes one sequence of the sample data in a map of another.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source .ci/packages.sh
+
+need_build_tools
+need_packages libeigen3-dev libcgal-dev libcli11-dev nlohmann-json3-dev
+
+mkdir -p build/examples
+log=build/examples/build.log
+if ! { cmake -S . -B build && cmake --build build --parallel "$(nproc)" --target topobag_cli; } >"$log" 2>&1; then
+  cat "$log" >&2
+  exit 1
+fi
+
+drawing=$PWD/build/examples/fr1_rpy_in_fr1_xyz.svg
+build/examples/topobag localize --map examples/data/fr1_xyz --query examples/data/fr1_rpy \
+  --camera 517.3,516.5,318.6,255.3 --keyframe-interval 0 --svg "$drawing"
+echo "Drawing: $drawing"

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <topobag/sensing/lift_detections.hpp>
+
+#include "camera_option.hpp"
+#include "commands.hpp"
+#include "csv_reader.hpp"
+#include "detect_nodes.hpp"
+
+namespace program {
+namespace {
+
+struct NodesOptions {
+  std::string images;
+  std::string model;
+  std::string names;
+  std::string out;
+  topobag::PinholeCamera<> camera;
+  double depth_scale = 5000.0;
+  YoloxOptions yolox;
+};
+
+/// The class behind each score of the network: COCO's order, or that of a file of names.
+std::vector<topobag::ClassId> read_classes(const std::string& names,
+                                           const topobag::ClassCatalog& catalog) {
+  if (names.empty()) return catalog.ids();
+  std::vector<topobag::ClassId> classes;
+  std::istringstream lines(read_file(names));
+  for (std::string line; std::getline(lines, line);) {
+    try {
+      classes.push_back(catalog.at(line));
+    } catch (const topobag::UnknownClass& unknown) {
+      throw InputError(names, classes.size() + 1, unknown.what());
+    }
+  }
+  return classes;
+}
+
+/// What became of the detections, and how many make nodes under the library's defaults.
+std::string summary(const std::string& set, const NodeTable& table,
+                    const topobag::PinholeCamera<>& camera, const topobag::ClassCatalog& catalog) {
+  std::size_t detections = 0;
+  std::size_t nodes = 0;
+  topobag::DroppedDetections dropped;
+  for (const FrameRow& frame : table.frames) {
+    const auto lifted = topobag::lift_detections(frame.detections, camera, catalog);
+    detections += frame.detections.size();
+    nodes += lifted.nodes.size();
+    dropped += lifted.dropped;
+  }
+  std::ostringstream text;
+  text << set << ": " << table.frames.size() << " frames, " << detections
+       << " detections; with the default filter " << nodes
+       << " nodes (left out: " << dropped.low_confidence << " of low confidence, "
+       << dropped.dynamic << " dynamic, " << dropped.too_large << " too large, " << dropped.no_depth
+       << " without depth, " << dropped.out_of_range << " out of range)\n";
+  return text.str();
+}
+
+void make_nodes(const NodesOptions& options) {
+  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  const std::filesystem::path folder = std::filesystem::path(options.out).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+    throw InputError("--out " + options.out, "the folder does not exist; make it first");
+  }
+  topobag::PinholeCamera<> camera = options.camera;
+  const NodeTable table = detect_nodes(read_tum_sequence(options.images), options.model,
+                                       read_classes(options.names, catalog), options.yolox,
+                                       options.depth_scale, camera);
+  write_node_table(options.out, table, catalog);
+  std::cout << summary(options.out, table, camera, catalog);
+}
+
+}  // namespace
+
+void add_nodes_command(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "nodes", "Turns RGB-D images into a node table: what a detector sees in them, and how far");
+  const auto options = std::make_shared<NodesOptions>();
+  command.add_option("--images", options->images, "Sequence in the TUM RGB-D layout")->required();
+  command.add_option("--model", options->model, "YOLOX network, ONNX")->required();
+  command.add_option("--names", options->names, "Classes of the network, one a line [COCO's 80]");
+  command.add_option("--out", options->out, "Table to write: OUT.frames.csv and OUT.nodes.csv")
+      ->required();
+  add_camera_option(command, options->camera);
+  command.add_option("--depth-scale", options->depth_scale, "Depth value that means one metre")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--min-confidence", options->yolox.min_confidence, "Least score of a detection")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command.add_option("--nms", options->yolox.max_iou, "Overlap (IoU) of two objects of a class")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command.add_option("--input-size", options->yolox.input_size, "Side of the network's input, px")
+      ->check(CLI::Range(32, 4096))
+      ->capture_default_str();
+  command.callback([options] { make_nodes(*options); });
+}
+
+}  // namespace program

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "detect_nodes.hpp"
+
+#include <filesystem>
+
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <topobag/sensing/depth_sampling.hpp>
+#include <topobag/sensing/depth_view.hpp>
+
+#include "input_error.hpp"
+#include "object_detector.hpp"
+#include "progress.hpp"
+
+namespace program {
+namespace {
+
+cv::Mat read_image(const std::string& path, int flags) {
+  cv::Mat image = cv::imread(path, flags);
+  if (image.empty()) throw InputError(path, "the file is not an image that OpenCV can read");
+  return image;
+}
+
+cv::Mat read_depth(const std::string& path, const cv::Size& size) {
+  cv::Mat depth = read_image(path, cv::IMREAD_UNCHANGED);
+  if (depth.type() != CV_16UC1) {
+    throw InputError(path, "a depth image has one channel of 16 bits");
+  }
+  if (depth.size() != size) {
+    throw InputError(path, "the depth image has another size than its colour image; register it");
+  }
+  return depth;
+}
+
+/// Gives the camera the image's size, or sees that it is that one.
+void require_size(const cv::Mat& image, const std::string& path, topobag::PinholeCamera<>& camera) {
+  if (camera.width == 0 && camera.height == 0) {
+    camera.width = image.cols;
+    camera.height = image.rows;
+  }
+  if (image.cols != camera.width || image.rows != camera.height) {
+    throw InputError(path, "the image is " + std::to_string(image.cols) + " x " +
+                               std::to_string(image.rows) + " px, the camera's " +
+                               std::to_string(camera.width) + " x " +
+                               std::to_string(camera.height));
+  }
+}
+
+}  // namespace
+
+NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& model,
+                       const std::vector<topobag::ClassId>& classes, const YoloxOptions& options,
+                       double depth_scale, topobag::PinholeCamera<>& camera) {
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are ours to tell
+  ObjectDetector detect(model, classes, options);
+  const topobag::RobustBoxDepth depth_in;
+  Progress progress(frames.size(), "images");
+  NodeTable table;
+  for (const RgbdFrame& frame : frames) {
+    const cv::Mat rgb = read_image(frame.rgb, cv::IMREAD_COLOR);
+    require_size(rgb, frame.rgb, camera);
+    const cv::Mat depth = read_depth(frame.depth, rgb.size());
+    const topobag::DepthView<std::uint16_t> view(depth.ptr<std::uint16_t>(), depth.cols, depth.rows,
+                                                 depth_scale,
+                                                 static_cast<std::ptrdiff_t>(depth.step1()));
+    FrameRow row;
+    row.idx = static_cast<std::int64_t>(table.frames.size());
+    row.name = std::filesystem::path(frame.rgb).filename().string();
+    row.timestamp = frame.timestamp;
+    row.T_world_camera = frame.T_world_camera;
+    for (const topobag::Detection& found : detect(rgb)) {
+      row.detections.push_back(
+          {found.box, found.label, found.confidence, depth_in(view, found.box).value_or(0.0)});
+    }
+    table.frames.push_back(std::move(row));
+    progress.step();
+  }
+  return table;
+}
+
+}  // namespace program

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <istream>
+#include <string>
+#include <vector>
+
+#include <topobag/evaluation/detail/pose_text.hpp>
+#include <topobag/evaluation/trajectory.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Reads the KITTI odometry format: the 12 numbers of a row-major 3×4 matrix [R | t] per line. The
+/// format has no time, so stamps are 0, 1, 2, …; see `read_kitti_times`. Rotations within 0.01 of
+/// orthonormal are normalised. Throws Error with `name` and the line for anything else.
+inline Trajectory read_kitti(std::istream& stream, const std::string& name) {
+  detail::TextLines lines(stream, name);
+  Trajectory trajectory;
+  std::string_view line;
+  std::vector<double> numbers;
+  while (lines.next(line)) {
+    lines.numbers(line, ' ', numbers);
+    if (numbers.size() != 12) {
+      lines.fail("a KITTI trajectory has 12 numbers a line, a 3×4 matrix; here are " +
+                 std::to_string(numbers.size()) + ".");
+    }
+    trajectory.push_back(
+        {static_cast<double>(trajectory.size()), detail::pose_from_matrix(lines, numbers.data())});
+  }
+  return trajectory;
+}
+
+inline Trajectory read_kitti(const std::string& path) {
+  std::ifstream file = detail::open_file(path);
+  return read_kitti(file, path);
+}
+
+/// Gives a KITTI trajectory the stamps of its `times.txt`, one number of seconds per line. Throws
+/// Error, and leaves the trajectory alone, when the numbers differ or a stamp does not increase.
+inline void read_kitti_times(std::istream& stream, const std::string& name,
+                             Trajectory& trajectory) {
+  detail::TextLines lines(stream, name);
+  std::vector<double> stamps;
+  std::string_view line;
+  std::vector<double> numbers;
+  while (lines.next(line)) {
+    lines.numbers(line, ' ', numbers);
+    if (numbers.size() != 1) lines.fail("a line has one number, the time in seconds.");
+    detail::require_finite(lines, numbers.data(), 1);
+    if (!stamps.empty() && !(numbers[0] > stamps.back())) {
+      lines.fail("the time stamp is not later than the one before.");
+    }
+    stamps.push_back(numbers[0]);
+  }
+  if (stamps.size() != trajectory.size()) {
+    throw Error(name + " has " + std::to_string(stamps.size()) + " times for " +
+                std::to_string(trajectory.size()) + " poses.");
+  }
+  for (std::size_t i = 0; i < stamps.size(); ++i) trajectory[i].stamp_s = stamps[i];
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <charconv>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <topobag/assert.hpp>
+#include <topobag/evaluation/detail/pose_text.hpp>
+#include <topobag/evaluation/trajectory.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Reads the TUM format: `timestamp tx ty tz qx qy qz qw` per line, seconds and metres, separated
+/// by blanks, `#` comments. Quaternions within 0.01 of unit length are normalised. Throws Error
+/// with `name` and the line for anything else, and for stamps that do not increase.
+inline Trajectory read_tum(std::istream& stream, const std::string& name) {
+  detail::TextLines lines(stream, name);
+  Trajectory trajectory;
+  std::string_view line;
+  std::vector<double> numbers;
+  while (lines.next(line)) {
+    lines.numbers(line, ' ', numbers);
+    if (numbers.size() != 8) {
+      lines.fail(
+          "a TUM trajectory has 8 numbers a line: timestamp tx ty tz qx qy qz qw; here are " +
+          std::to_string(numbers.size()) + ".");
+    }
+    detail::require_finite(lines, numbers.data(), 1);
+    if (!trajectory.empty() && !(numbers[0] > trajectory.back().stamp_s)) {
+      lines.fail("the time stamp is not later than the one before.");
+    }
+    trajectory.push_back({numbers[0], detail::pose_from_quaternion(lines, numbers.data() + 1)});
+  }
+  return trajectory;
+}
+
+inline Trajectory read_tum(const std::string& path) {
+  std::ifstream file = detail::open_file(path);
+  return read_tum(file, path);
+}
+
+/// Writes the TUM format so that reading it back gives the same stamps and positions bit for bit,
+/// whatever the locale.
+inline void write_tum(std::ostream& stream, const Trajectory& trajectory) {
+  for (const StampedPose& pose : trajectory) {
+    const Eigen::Vector3d t = pose.T_world_body.translation();
+    const Eigen::Quaterniond q(pose.T_world_body.linear());
+    const double numbers[] = {pose.stamp_s, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+    for (const double& number : numbers) {
+      char text[32];
+      const auto [end, status] = std::to_chars(text, text + sizeof text, number);
+      TOPOBAG_ASSERT(status == std::errc{});
+      stream.write(text, end - text).put(&number == numbers + 7 ? '\n' : ' ');
+    }
+  }
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <sstream>
+
+#include <topobag/error.hpp>
+#include <topobag/evaluation/tum_trajectory.hpp>
+
+#include "catch.hpp"
+#include "evaluation/random_poses.hpp"
+
+using namespace topobag;
+
+namespace {
+
+Trajectory read(const std::string& text) {
+  std::istringstream stream(text);
+  return read_tum(stream, "room.txt");
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    read(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a TUM trajectory with comments, blanks, tabs and CR LF", "[evaluation]") {
+  const Trajectory trajectory = read(
+      "# timestamp tx ty tz qx qy qz qw\r\n\r\n1305031102.1758 1.5 -2e-1 3 0 0 0.7071 0.7071\r\n"
+      "\t1305031102.2 0 0 0\t0 0 0 -1");
+  REQUIRE(trajectory.size() == 2);
+  CHECK(trajectory[0].stamp_s == 1305031102.1758);
+  CHECK(trajectory[0].T_world_body.translation() == Eigen::Vector3d(1.5, -0.2, 3.0));
+  CHECK(trajectory[0].T_world_body.linear().col(0).isApprox(Eigen::Vector3d::UnitY()));
+  CHECK(trajectory[0].T_world_body.linear().determinant() == Approx(1.0).epsilon(1e-14));
+  CHECK(trajectory[1].T_world_body.linear().isIdentity());
+  CHECK(read("").empty());
+}
+
+TEST_CASE("what is not a TUM trajectory is refused with file and line", "[evaluation]") {
+  const std::string good = "1 0 0 0 0 0 0 1\n";
+  CHECK(contains(complaint(good + "# c\n2 0 0 0 0 0 1\n"), "room.txt, line 3: "));
+  CHECK(contains(complaint(good + "2 0 0 0 0 0 0 1 0\n"), "8 numbers"));
+  CHECK(contains(complaint(good + "1 0 0 0 0 0 0 1\n"), "line 2: the time stamp is not later"));
+  CHECK(contains(complaint(good + "0.5 0 0 0 0 0 0 1\n"), "line 2: the time stamp is not later"));
+  CHECK(contains(complaint("1 0 0 x7 0 0 0 1\n"), "line 1: 'x7' is not a number"));
+  CHECK(contains(complaint("1 0 0 1,5 0 0 0 1\n"), "is not a number"));
+  CHECK(contains(complaint("1 0 0 1.5m 0 0 0 1\n"), "'1.5m' is not a number"));
+  CHECK(contains(complaint("1 0 0 nan 0 0 0 1\n"), "not finite"));
+  CHECK(contains(complaint("inf 0 0 0 0 0 0 1\n"), "not finite"));
+  CHECK(contains(complaint("1 0 0 1e999 0 0 0 1\n"), "is not a number"));
+  CHECK(contains(complaint("1 0 0 0 0 0 0 1.1\n"), "unit length"));
+  CHECK(contains(complaint("1 0 0 0 0 0 0 0\n"), "unit length"));
+  CHECK_NOTHROW(read("1 0 0 0 0 0 0 1.009\n"));
+}
+
+TEST_CASE("a missing file is named", "[evaluation]") {
+  CHECK_THROWS_AS(read_tum("there/is/no/such.txt"), Error);
+}
+
+TEST_CASE("what is written is read back", "[evaluation]") {
+  std::mt19937 random(3);
+  const Trajectory trajectory = topobag_tests::random_trajectory(random, 200);
+  std::ostringstream text;
+  write_tum(text, trajectory);
+  const Trajectory again = read(text.str());
+  REQUIRE(again.size() == trajectory.size());
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    CHECK(again[i].stamp_s == trajectory[i].stamp_s);
+    CHECK(again[i].T_world_body.translation() == trajectory[i].T_world_body.translation());
+    CHECK(again[i].T_world_body.linear().isApprox(trajectory[i].T_world_body.linear(), 1e-14));
+  }
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "scratch.hpp"
+
+/// How a run of the program ended and what it said.
+struct ProgramRun {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// Runs the built program; `arguments` as in a shell.
+inline ProgramRun run_program(const std::string& arguments) {
+  const ScratchFolder folder;
+  const std::string command = std::string("'") + TOPOBAG_PROGRAM + "' " + arguments + " >'" +
+                              folder.path("out") + "' 2>'" + folder.path("err") + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, program::read_file(folder.path("out")),
+          program::read_file(folder.path("err"))};
+}

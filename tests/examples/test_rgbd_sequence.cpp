@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "rgbd_sequence.hpp"
+#include "scratch.hpp"
+
+using namespace program;
+
+TEST_CASE("associations pair images, the ground truth is interpolated at the colour stamp",
+          "[examples]") {
+  const ScratchFolder folder;
+  folder.write("associations.txt",
+               "# time rgb time depth\n"
+               "2.05 rgb/b.png 2.06 depth/b.png\n"
+               "1.05 rgb/a.png 1.06 depth/a.png\n\n");
+  folder.write("groundtruth.txt", "# ground truth\n1.00 0 0 0 0 0 0 1\n1.08 8 0 0 0 0 0 1\n");
+  const std::vector<RgbdFrame> frames = read_tum_sequence(folder.path(""));
+  REQUIRE(frames.size() == 2);
+  CHECK(frames[0].timestamp == 1.05);
+  CHECK(frames[0].rgb == folder.path("rgb/a.png"));
+  CHECK(frames[0].depth == folder.path("depth/a.png"));
+  REQUIRE(frames[0].T_world_camera);
+  CHECK(frames[0].T_world_camera->translation().isApprox(Eigen::Vector3d(5, 0, 0), 1e-9));
+  CHECK_FALSE(frames[1].T_world_camera);  // a second from the nearest pose
+}
+
+TEST_CASE("without associations the nearest depth within 20 ms is taken", "[examples]") {
+  const ScratchFolder folder;
+  folder.write("rgb.txt", "1.000 rgb/a.png\n2.000 rgb/b.png\n");
+  folder.write("depth.txt", "0.985 depth/x.png\n1.010 depth/y.png\n2.021 depth/z.png\n");
+  const std::vector<RgbdFrame> frames = read_tum_sequence(folder.path(""));
+  REQUIRE(frames.size() == 1);
+  CHECK(frames[0].depth == folder.path("depth/y.png"));
+  CHECK_FALSE(frames[0].T_world_camera);
+}
+
+TEST_CASE("a broken list of images is refused with file and line", "[examples]") {
+  const ScratchFolder folder;
+  const auto error = [&] { return error_in(folder, [&] { read_tum_sequence(folder.path("")); }); };
+  CHECK(error() == "depth.txt: the file cannot be opened; check the path");
+  folder.write("associations.txt", "#\n1.0 rgb/a.png\n");
+  CHECK(error() == "associations.txt:2: the line does not hold 2 times 'timestamp file'");
+  folder.write("associations.txt", "now rgb/a.png 1.0 depth/a.png\n");
+  CHECK(error() == "associations.txt:1: 'now' is not a timestamp in seconds");
+  folder.write("associations.txt", "#\n");
+  CHECK(error() == ": no colour image has a depth image");
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <topobag/error.hpp>
+
+#include "catch.hpp"
+#include "yolox.hpp"
+
+using namespace program;
+using topobag::ClassId;
+using topobag::Detection;
+
+namespace {
+
+const std::vector<ClassId> classes{ClassId{5}, ClassId{9}};
+constexpr std::size_t columns = 7;  // cx, cy, w, h, objectness, two scores
+
+/// An input of side 32 has grids of 4 × 4, 2 × 2 and 1 × 1 cells.
+struct Output {
+  std::vector<float> numbers = std::vector<float>(21 * columns, 0.0F);
+
+  float* row(std::size_t i) { return numbers.data() + i * columns; }
+  std::vector<Detection> decode() const {
+    return decode_yolox({numbers.data(), 21, columns}, classes, {32, 0.1, 0.45});
+  }
+};
+
+}  // namespace
+
+TEST_CASE("YOLOX cells of every stride decode to hand-computed boxes", "[examples]") {
+  Output output;
+  const float first[] = {0.5F, 0.25F, std::log(2.0F), 0.0F, 0.8F, 0.1F, 0.5F};
+  std::copy(std::begin(first), std::end(first), output.row(6));  // stride 8, column 2, row 1
+  const float second[] = {0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.9F, 0.1F};
+  std::copy(std::begin(second), std::end(second),
+            output.row(16 + 2));                                    // stride 16, column 0, row 1
+  std::copy(std::begin(second), std::end(second), output.row(20));  // stride 32
+  const std::vector<Detection> found = output.decode();
+  REQUIRE(found.size() == 3);
+  CHECK(found[0].box.center().isApprox(Eigen::Vector2d(20.0, 10.0), 1e-6));
+  CHECK(found[0].box.width() == Approx(16.0));
+  CHECK(found[0].box.height() == Approx(8.0));
+  CHECK(found[0].label == ClassId{9});
+  CHECK(found[0].confidence == Approx(0.4));
+  CHECK(found[1].box.center() == Eigen::Vector2d(0.0, 16.0));
+  CHECK(found[1].box.width() == Approx(16.0));
+  CHECK(found[1].label == ClassId{5});
+  CHECK(found[2].box.width() == Approx(32.0));
+}
+
+TEST_CASE("weak and broken YOLOX cells are left out", "[examples]") {
+  Output output;
+  output.row(0)[4] = 0.3F;
+  output.row(0)[5] = 0.3F;  // 0.09
+  output.row(1)[2] = 1000.0F;
+  output.row(1)[4] = output.row(1)[5] = 1.0F;  // of infinite width
+  output.row(2)[4] = std::numeric_limits<float>::quiet_NaN();
+  output.row(2)[5] = 1.0F;
+  CHECK(output.decode().empty());
+}
+
+TEST_CASE("a network of another shape is refused", "[examples]") {
+  const Output output;
+  const YoloxOptions options{32, 0.1, 0.45};
+  CHECK_THROWS_AS(decode_yolox({output.numbers.data(), 20, columns}, classes, options),
+                  topobag::InvalidValue);
+  CHECK_THROWS_AS(decode_yolox({output.numbers.data(), 21, columns}, {ClassId{1}}, options),
+                  topobag::InvalidValue);
+}
+
+TEST_CASE("non-maximum suppression stays within a class", "[examples]") {
+  const topobag::BoundingBox box{0.0, 0.0, 10.0, 10.0};
+  const topobag::BoundingBox shifted{2.0, 0.0, 12.0, 10.0};  // IoU 2/3
+  const topobag::BoundingBox beside{8.0, 0.0, 18.0, 10.0};   // IoU 1/9
+  const std::vector<Detection> kept = suppress_non_maxima({{shifted, ClassId{1}, 0.5},
+                                                           {beside, ClassId{1}, 0.4},
+                                                           {box, ClassId{1}, 0.9},
+                                                           {shifted, ClassId{2}, 0.3}},
+                                                          0.45);
+  REQUIRE(kept.size() == 3);
+  CHECK(kept[0].confidence == 0.9);
+  CHECK(kept[1].confidence == 0.4);
+  CHECK(kept[2].label == ClassId{2});
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <optional>
+#include <string>
+
+#include <topobag/types/detection.hpp>
+
+#include "catch.hpp"
+
+namespace {
+
+struct ForeignBox {
+  float left, top, width, height;
+  int category;
+  float score;
+};
+
+struct RangedBox : ForeignBox {
+  double range;
+};
+
+struct WrongLabel {};
+
+}  // namespace
+
+template <>
+struct topobag::detection_traits<ForeignBox> {
+  static BoundingBox box(const ForeignBox& b) {
+    return {b.left, b.top, b.left + b.width, b.top + b.height};
+  }
+  static ClassId label(const ForeignBox& b) { return ClassId{b.category}; }
+  static double confidence(const ForeignBox& b) { return b.score; }
+};
+
+template <>
+struct topobag::detection_traits<RangedBox> : topobag::detection_traits<ForeignBox> {
+  static std::optional<double> depth(const RangedBox& b) { return b.range; }
+};
+
+template <>
+struct topobag::detection_traits<WrongLabel> {
+  static BoundingBox box(const WrongLabel&) { return {}; }
+  static int label(const WrongLabel&) { return 0; }
+  static double confidence(const WrongLabel&) { return 0.0; }
+};
+
+using namespace topobag;
+
+static_assert(is_detection_v<Detection>);
+static_assert(is_detection_v<ForeignBox> && !is_ranged_detection_v<ForeignBox>);
+static_assert(is_detection_v<RangedBox> && is_ranged_detection_v<RangedBox>);
+static_assert(!is_detection_v<WrongLabel>, "a label has to be a ClassId, not an int");
+static_assert(!is_detection_v<int> && !is_detection_v<std::string>);
+
+TEST_CASE("a foreign struct is read through its traits", "[types]") {
+  const ForeignBox foreign{10.0F, 20.0F, 4.0F, 6.0F, 62, 0.5F};
+  const BoundingBox box = detection_traits<ForeignBox>::box(foreign);
+  CHECK(box.center() == Eigen::Vector2d(12.0, 23.0));
+  CHECK(detection_traits<ForeignBox>::label(foreign) == ClassId{62});
+  CHECK(detection_traits<ForeignBox>::confidence(foreign) == 0.5);
+}
+
+TEST_CASE("the library's own detection is handed out without a copy", "[types]") {
+  const Detection detection{{1.0, 2.0, 3.0, 4.0}, ClassId{7}, 0.25};
+  CHECK(&detection_traits<Detection>::box(detection) == &detection.box);
+  CHECK(detection_traits<Detection>::label(detection) == ClassId{7});
+  CHECK(detection_traits<Detection>::confidence(detection) == 0.25);
+}
