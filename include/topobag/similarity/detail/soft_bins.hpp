@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <topobag/version.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// A bin and the share of a vote that falls into it.
+struct SoftBin {
+  std::uint64_t bin = 0;
+  double share = 0.0;
+};
+
+/// The two bins, centred on multiples of `width`, between which a vote at `distance` ≥ 0 is
+/// interpolated linearly. Distances beyond `max_distance` count as equal to it.
+inline std::array<SoftBin, 2> soft_bins(double distance, double width,
+                                        double max_distance) noexcept {
+  const double place = std::min(distance, max_distance) / width;
+  const double below = std::floor(place);
+  const auto bin = static_cast<std::uint64_t>(below);
+  return {{{bin, 1.0 - (place - below)}, {bin + 1, place - below}}};
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag
