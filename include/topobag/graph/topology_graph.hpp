@@ -70,7 +70,7 @@ class TopologyGraph {
   /// Whether there is enough to fit a pose: three nodes with a position.
   bool is_matchable() const noexcept {
     std::size_t placed = 0;
-    for (const Node& n : nodes_) placed += n.position ? 1 : 0;
+    for (const Node& n : nodes_) placed += n.position ? 1U : 0U;
     return placed >= 3;
   }
 
