@@ -5,8 +5,7 @@
 
 #include <vector>
 
-#include <Eigen/Core>
-
+#include <topobag/edges/detail/bucket_sort.hpp>
 #include <topobag/edges/detail/delaunay_planar.hpp>
 #include <topobag/edges/edge_list.hpp>
 #include <topobag/edges/projections.hpp>
@@ -16,11 +15,16 @@ namespace topobag {
 inline namespace v0 {
 
 /// Edge builder: the Delaunay triangulation of the nodes in a plane, by default the image plane of
-/// the paper (section 3.3.2).
+/// the paper (section 3.3.2). Two nodes are joined when some circle through both is empty.
 ///
-/// Exact, deterministic, and one edge set for every order of the nodes, also where four or more lie
-/// on one circle: ties are broken by the coordinates. So a rotation of such a layout (a façade, a
-/// grid) may turn its diagonals; in general position a rotation changes nothing.
+/// When: the paper's graph, and the default for one frame. Every node's neighbours in all
+/// directions, whatever the scale. Its subsets keep fewer, surer edges: `GabrielEdges`,
+/// `RelativeNeighborhoodEdges`, `MinimumSpanningTreeEdges`, each inside the one before.
+///
+/// Unique: exact, and one edge set for every order of the nodes, also where four or more lie on one
+/// circle. There the coordinates break the tie, so a rotation of such a layout (a façade, a grid)
+/// may turn its diagonals; in general position a rotation, or a change of scale, changes nothing.
+/// Regional: a node that comes or goes changes only edges between its own neighbours.
 ///
 /// Nodes without a place in the plane stay isolated. Nodes on one line give a path, two nodes an
 /// edge. Of coincident nodes the first is triangulated, and each later one has one edge, to that
@@ -35,10 +39,15 @@ struct DelaunayEdges2 {
   template <typename Scalar>
   EdgeList operator()(const std::vector<SemanticNode<Scalar>>& nodes) const {
     detail::PlanarDelaunay triangulation;
-    const EdgeList twins = detail::triangulate(triangulation, nodes, projection);
-    return detail::canonical_edges(triangulation, twins, nodes.size());
+    EdgeList edges = detail::triangulate(triangulation, nodes, projection);
+    edges.reserve(edges.size() + 3 * triangulation.number_of_vertices());
+    for (const auto& edge : triangulation.finite_edges()) edges.push_back(detail::edge_of(edge));
+    return detail::bucket_sort(edges, nodes.size());
   }
 };
+
+template <typename Projection>
+DelaunayEdges2(Projection) -> DelaunayEdges2<Projection>;
 
 }  // namespace v0
 }  // namespace topobag

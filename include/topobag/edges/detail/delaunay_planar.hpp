@@ -4,30 +4,29 @@
 // Includes CGAL's triangulations, which are GPL-3.0-or-later or under a commercial licence.
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <topobag/edges/detail/bucket_sort.hpp>
 #include <topobag/edges/detail/delaunay_insertion.hpp>
 #include <topobag/edges/edge_list.hpp>
 #include <topobag/edges/insertion_error.hpp>
+#include <topobag/edges/position_in_triangulation.hpp>
 
 namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-using PlanarVertexBase = CGAL::Triangulation_vertex_base_with_info_2<NodeIndex, Kernel>;
+using PlanarVertex = CGAL::Triangulation_vertex_base_with_info_2<NodeIndex, Kernel>;
 
-/// CGAL's Delaunay triangulation; each finite vertex carries its index.
+/// CGAL's Delaunay triangulation; each finite vertex carries its index as info.
 using PlanarDelaunay =
-    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<PlanarVertexBase>>;
+    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<PlanarVertex>>;
 
 /// Triangulates the places that `projection` gives the nodes. Returns the edges between coincident
-/// nodes. Throws `InsertionError` with the node's index.
+/// nodes, see `insert_points`. Throws `InsertionError` with the node's index.
 template <typename Nodes, typename Projection>
 EdgeList triangulate(PlanarDelaunay& triangulation, const Nodes& nodes,
                      const Projection& projection) {
@@ -43,24 +42,29 @@ EdgeList triangulate(PlanarDelaunay& triangulation, const Nodes& nodes,
   return insert_points(triangulation, points);
 }
 
-/// The finite edges, in no particular order.
-template <typename Triangulation>
-EdgeList finite_edges(const Triangulation& triangulation) {
-  EdgeList edges;
-  edges.reserve(3 * triangulation.number_of_vertices());
-  for (const auto& [face, i] : triangulation.finite_edges()) {
-    edges.push_back(make_edge(face->vertex(triangulation.cw(i))->info(),
-                              face->vertex(triangulation.ccw(i))->info()));
-  }
-  return edges;
+/// The canonical form of one of CGAL's planar edges (a face and the number of the vertex opposite).
+template <typename PlanarEdge>
+Edge edge_of(const PlanarEdge& edge) {
+  const auto& [face, i] = edge;
+  return make_edge(face->vertex(CGAL::Triangulation_cw_ccw_2::cw(i))->info(),
+                   face->vertex(CGAL::Triangulation_cw_ccw_2::ccw(i))->info());
 }
 
-/// The finite edges and the edges between coincident nodes, in canonical order.
-inline EdgeList canonical_edges(const PlanarDelaunay& triangulation, const EdgeList& twins,
-                                std::size_t num_nodes) {
-  EdgeList edges = finite_edges(triangulation);
-  edges.insert(edges.end(), twins.begin(), twins.end());
-  return bucket_sort(edges, num_nodes);
+/// The canonical form of one of CGAL's finite faces.
+template <typename FaceHandle>
+Triangle triangle_of(FaceHandle face) {
+  return make_triangle(face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info());
+}
+
+/// Calls `visit(vertex handle)` for each finite neighbour of `vertex`, counterclockwise.
+template <typename Triangulation, typename VertexHandle, typename Visit>
+void for_each_neighbor(const Triangulation& triangulation, VertexHandle vertex, Visit visit) {
+  if (triangulation.dimension() < 1) return;
+  auto neighbor = triangulation.incident_vertices(vertex);
+  const auto first = neighbor;
+  do {
+    if (!triangulation.is_infinite(neighbor)) visit(VertexHandle(neighbor));
+  } while (++neighbor != first);
 }
 
 }  // namespace detail
