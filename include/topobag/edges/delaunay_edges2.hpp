@@ -40,9 +40,9 @@ struct DelaunayEdges2 {
   EdgeList operator()(const std::vector<SemanticNode<Scalar>>& nodes) const {
     detail::PlanarDelaunay triangulation;
     EdgeList edges = detail::triangulate(triangulation, nodes, projection);
-    edges.reserve(edges.size() + 3 * triangulation.number_of_vertices());
-    for (const auto& edge : triangulation.finite_edges()) edges.push_back(detail::edge_of(edge));
-    return detail::bucket_sort(edges, nodes.size());
+    detail::append_edges(triangulation, edges);
+    detail::bucket_sort(edges, nodes.size());
+    return edges;
   }
 };
 

@@ -55,7 +55,8 @@ struct DelaunayEdges3 {
     for (const auto& [cell, i, j] : triangulation.finite_edges()) {
       edges.push_back(make_edge(cell->vertex(i)->info(), cell->vertex(j)->info()));
     }
-    return detail::bucket_sort(edges, nodes.size());
+    detail::bucket_sort(edges, nodes.size());
+    return edges;
   }
 };
 

@@ -35,7 +35,8 @@ struct GabrielEdges {
     for (const auto& edge : triangulation.finite_edges()) {
       if (is_gabriel(triangulation, edge)) edges.push_back(detail::edge_of(edge));
     }
-    return detail::bucket_sort(edges, nodes.size());
+    detail::bucket_sort(edges, nodes.size());
+    return edges;
   }
 
  private:

@@ -41,7 +41,8 @@ struct MinimumSpanningTreeEdges {
         edges.push_back(segment.edge);
       }
     }
-    return detail::bucket_sort(edges, nodes.size());
+    detail::bucket_sort(edges, nodes.size());
+    return edges;
   }
 
  private:

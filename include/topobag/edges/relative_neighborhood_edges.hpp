@@ -40,7 +40,8 @@ struct RelativeNeighborhoodEdges {
       const auto q = face->vertex(triangulation.ccw(i));
       if (lunes.is_empty(p, q)) edges.push_back(make_edge(p->info(), q->info()));
     }
-    return detail::bucket_sort(edges, nodes.size());
+    detail::bucket_sort(edges, nodes.size());
+    return edges;
   }
 
  private:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,23 +11,24 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// The edges of a graph over `num_nodes` nodes, each in canonical form and given once, in canonical
-/// order. O(n + m log d) with d the largest degree: faster than a sort where degrees are small.
-inline EdgeList bucket_sort(const EdgeList& edges, std::size_t num_nodes) {
-  std::vector<std::uint32_t> end(num_nodes + 1, 0);  // of the bucket of each a, once filled
-  for (const Edge& edge : edges) ++end[value(edge.a) + 1];
-  for (std::size_t a = 1; a <= num_nodes; ++a) end[a] += end[a - 1];
+/// Copies the edges ordered by one of their ends; equal ones keep their order.
+/// `places` is scratch space.
+template <NodeIndex Edge::*End>
+void bucket_pass(const EdgeList& edges, std::size_t num_nodes, std::vector<std::uint32_t>& places,
+                 EdgeList& sorted) {
+  places.assign(num_nodes + 1, 0);
+  for (const Edge& edge : edges) ++places[value(edge.*End) + 1];
+  for (std::size_t i = 1; i <= num_nodes; ++i) places[i] += places[i - 1];
+  for (const Edge& edge : edges) sorted[places[value(edge.*End)]++] = edge;
+}
 
-  EdgeList sorted(edges.size());
-  for (const Edge& edge : edges) sorted[end[value(edge.a)]++] = edge;
-
-  std::size_t begin = 0;
-  for (std::size_t a = 0; a < num_nodes; begin = end[a++]) {
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin),
-              sorted.begin() + static_cast<std::ptrdiff_t>(end[a]),
-              [](const Edge& l, const Edge& r) { return l.b < r.b; });
-  }
-  return sorted;
+/// Puts the edges of a graph over `num_nodes` nodes, each given once with a < b, in canonical
+/// order. O(n + m), and free of the branches on random data that a comparison sort stumbles over.
+inline void bucket_sort(EdgeList& edges, std::size_t num_nodes) {
+  std::vector<std::uint32_t> places;
+  EdgeList by_b(edges.size());
+  bucket_pass<&Edge::b>(edges, num_nodes, places, by_b);
+  bucket_pass<&Edge::a>(by_b, num_nodes, places, edges);
 }
 
 }  // namespace detail

@@ -50,6 +50,34 @@ Edge edge_of(const PlanarEdge& edge) {
                    face->vertex(CGAL::Triangulation_cw_ccw_2::ccw(i))->info());
 }
 
+/// Appends all finite edges, in no particular order.
+template <typename Triangulation>
+void append_edges(const Triangulation& triangulation, EdgeList& edges) {
+  if (triangulation.dimension() < 2) {
+    for (const auto& edge : triangulation.finite_edges()) edges.push_back(edge_of(edge));
+    return;
+  }
+  // The faces, infinite ones included, pass every edge once in either sense; one of these is
+  // canonical. Written so that no branch depends on it: that is faster than CGAL's own iterator.
+  std::size_t size = edges.size();
+  edges.resize(size + 3 * triangulation.number_of_vertices());
+  const auto infinite = triangulation.infinite_vertex();  // its info is not set
+  for (const auto face : triangulation.all_face_handles()) {
+    bool finite[3];
+    NodeIndex index[3];
+    for (int i = 0; i < 3; ++i) {
+      finite[i] = face->vertex(i) != infinite;
+      index[i] = finite[i] ? face->vertex(i)->info() : NodeIndex{};
+    }
+    for (int i = 0; i < 3; ++i) {
+      const int next = CGAL::Triangulation_cw_ccw_2::ccw(i);
+      edges[size] = {index[i], index[next]};
+      size += static_cast<std::size_t>(finite[i] & (index[i] < index[next]));
+    }
+  }
+  edges.resize(size);
+}
+
 /// The canonical form of one of CGAL's finite faces.
 template <typename FaceHandle>
 Triangle triangle_of(FaceHandle face) {

@@ -84,9 +84,9 @@ std::vector<NodeIndex> DelaunayTriangulation<Vertex, Hint>::vertices() const {
 template <typename Vertex, typename Hint>
 EdgeList DelaunayTriangulation<Vertex, Hint>::undirected_edges() const {
   EdgeList edges;
-  edges.reserve(3 * size());
-  for (const auto& edge : triangulation_.finite_edges()) edges.push_back(detail::edge_of(edge));
-  return detail::bucket_sort(edges, handles_.size());
+  detail::append_edges(triangulation_, edges);
+  detail::bucket_sort(edges, handles_.size());
+  return edges;
 }
 
 template <typename Vertex, typename Hint>
