@@ -55,9 +55,6 @@ PoseFile read_pose_file(const std::string& path, const std::string& times,
                         topobag::RepeatedPoses repeated) {
   PoseFile file;
   file.format = format_of(path);
-  if (!times.empty() && file.format != PoseFormat::kitti) {
-    throw InputError(path, "only a KITTI trajectory goes with a file of times");
-  }
   topobag::Trajectory& single = file.content.sequences[1];
   switch (file.format) {
     case PoseFormat::openloris:
@@ -82,6 +79,9 @@ PoseFile read_pose_file(const std::string& path, const std::string& times,
 
 topobag::Trajectory read_trajectory(const std::string& path, const std::string& times) {
   const PoseFile file = read_pose_file(path, times, topobag::RepeatedPoses::keep);
+  if (!times.empty() && file.format != PoseFormat::kitti) {
+    throw InputError(path, "only a KITTI trajectory goes with a file of times");
+  }
   if (file.content.sequences.size() != 1) {
     throw InputError(path, "the file does not hold one trajectory; give one sequence");
   }

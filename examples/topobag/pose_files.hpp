@@ -18,11 +18,12 @@ struct PoseFile {
 
 /// Reads poses in TUM, KITTI or OpenLORIS format, or a node table's SET.frames.csv; the format is
 /// told from the first line of data. Throws topobag::Error.
-/// @param times  a KITTI trajectory's times.txt; empty = stamps 0, 1, 2, …
+/// @param times  times.txt for a KITTI trajectory, else not read; empty = stamps 0, 1, 2, …
 PoseFile read_pose_file(const std::string& path, const std::string& times = "",
                         topobag::RepeatedPoses repeated = topobag::RepeatedPoses::drop);
 
-/// The one trajectory of a file. Throws InputError when it has several.
+/// The one trajectory of a file. Throws InputError when it has several, or times
+/// that its format does not need.
 topobag::Trajectory read_trajectory(const std::string& path, const std::string& times = "");
 
 }  // namespace program

@@ -149,9 +149,11 @@ void score_trajectory(const TrajectoryOptions& options) {
   const auto repeated =
       options.keep_repeated ? topobag::RepeatedPoses::keep : topobag::RepeatedPoses::drop;
   PoseFile truth = read_pose_file(options.groundtruth, options.times);
-  const bool times_for_both = truth.format == PoseFormat::kitti;
-  const PoseFile estimate =
-      read_pose_file(options.estimate, times_for_both ? options.times : "", repeated);
+  const PoseFile estimate = read_pose_file(options.estimate, options.times, repeated);
+  if (!options.times.empty() && truth.format != PoseFormat::kitti &&
+      estimate.format != PoseFormat::kitti) {
+    throw InputError("--times " + options.times, "only KITTI trajectories go with a file of times");
+  }
   const Eigen::Isometry3d T_body = body_frame(options, estimate.content.frame);
   for (auto& [number, trajectory] : truth.content.sequences) {
     trajectory = topobag::in_frame(std::move(trajectory), T_body);

@@ -58,7 +58,7 @@ inline double seen_share(const DepthFrustum& frustum, const Eigen::Isometry3d& T
 
 /// Covisibility of two equal depth cameras, in [0, 1]: the share of the points of a regular grid
 /// over one frustum (8 × 8 pixels × 8 depths) that lies in the other, the smaller of both ways.
-/// Walls are not known and hide nothing. Symmetric; O(1), about 10 µs where the frusta can meet.
+/// Walls are not known and hide nothing. Symmetric; O(1).
 inline double frustum_overlap(const DepthFrustum& frustum, const Eigen::Isometry3d& T_a_b) {
   const PinholeCamera<double>& camera = frustum.camera;
   const auto reach = [&](double u, double v) {

@@ -101,9 +101,9 @@ inline LabelledScores label_scores(const ScoreMatrix& scores, const PlaceTruth& 
 }
 
 /// Labels a list of scores. A pair that is not in the list was never retrieved: it counts below
-/// every score. Excluded and ignored pairs of the list are left out. Throws InvalidValue or
-/// InvalidId, with the index in the list, for a pair outside the truth, twice in the list, or
-/// evaluated with a score that is not finite. O(queries · candidates + n log n).
+/// every score. Excluded and ignored pairs of the list are left out. Throws, with the index in the
+/// list, InvalidId for a pair outside the truth and InvalidValue for a score that is not finite,
+/// and InvalidId for a pair that is there twice. O(queries · candidates + n log n).
 inline LabelledScores label_scores(std::vector<ScoredPair> pairs, const PlaceTruth& truth) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (pairs[i].query >= truth.num_queries() || pairs[i].candidate >= truth.num_candidates()) {

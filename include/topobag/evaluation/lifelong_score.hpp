@@ -97,8 +97,8 @@ inline SequenceScore score_sequence(const Trajectory& groundtruth, const Traject
 }
 
 /// Scores of every estimated sequence by number. The alignment is estimated on the lowest-numbered
-/// one only and applied to all: a lifelong system has to know where it is in its first map.
-/// Throws Error when a sequence has no ground truth.
+/// one only and applied to all: a lifelong system has to know where it is in its first map. Without
+/// a match there it is the identity. Throws Error when a sequence has no ground truth.
 inline std::map<int, SequenceScore> score_lifelong(const std::map<int, Trajectory>& groundtruth,
                                                    const std::map<int, Trajectory>& estimates,
                                                    const LifelongRules& rules = {}) {

@@ -63,19 +63,24 @@ inline NpyHeader read_npy_header(std::istream& stream, const std::string& name) 
   const std::string_view shape = npy_value(dictionary, "shape");
   const char* at = shape.data();
   const char* const end = at + shape.size();
-  const auto extent = [&](char before, std::size_t& value) {
+  const auto require = [&](bool holds) {
+    if (!holds) refuse("does not hold a matrix: its shape is not (rows, columns).");
+  };
+  const auto skip = [&](char wanted) {
     while (at != end && *at == ' ') ++at;
-    if (at == end || *at++ != before)
-      refuse("does not hold a matrix: its shape is not (rows, columns).");
+    require(at != end && *at++ == wanted);
     while (at != end && *at == ' ') ++at;
+  };
+  const auto extent = [&](std::size_t& value) {
     const auto [stop, status] = std::from_chars(at, end, value);
-    if (status != std::errc{}) refuse("does not hold a matrix: its shape is not (rows, columns).");
+    require(status == std::errc{});
     at = stop;
   };
-  extent('(', header.rows);
-  extent(',', header.columns);
-  while (at != end && *at == ' ') ++at;
-  if (at == end || *at != ')') refuse("does not hold a matrix: its shape is not (rows, columns).");
+  skip('(');
+  extent(header.rows);
+  skip(',');
+  extent(header.columns);
+  skip(')');
   return header;
 }
 
@@ -86,13 +91,11 @@ ScoreMatrix npy_numbers(const NpyHeader& header, const std::vector<char>& bytes)
   const auto columns = static_cast<Eigen::Index>(header.columns);
   std::vector<Number> numbers(header.rows * header.columns);
   if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
-  using Options = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using Rows = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   if (!header.fortran_order) {
-    return Eigen::Map<const Options>(numbers.data(), rows, columns).template cast<double>();
+    return Eigen::Map<const Rows>(numbers.data(), rows, columns).template cast<double>();
   }
-  return Eigen::Map<const Options>(numbers.data(), columns, rows)
-      .transpose()
-      .template cast<double>();
+  return Eigen::Map<const Rows>(numbers.data(), columns, rows).transpose().template cast<double>();
 }
 
 }  // namespace detail
