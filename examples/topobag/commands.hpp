@@ -8,6 +8,8 @@ namespace program {
 // One subcommand each: `add_<name>_command`, in <name>_command.cpp. A command throws
 // topobag::Error on bad input and prints its result to stdout at the very end, so that a failure
 // leaves no half of it there.
+void add_evaluate_command(CLI::App& app);
 void add_nodes_command(CLI::App& app);
+void add_trajectory_command(CLI::App& app);
 
 }  // namespace program

@@ -32,8 +32,8 @@ struct LifelongRules {
 /// undefined.
 struct SequenceScore {
   std::size_t poses = 0;                           ///< estimated
-  std::vector<double> stamps_s;                    ///< of the matched poses, increasing
-  std::vector<PoseError> errors;                   ///< of the matched poses, after alignment
+  std::vector<PosePair> pairs;                     ///< the matched poses, aligned, by time
+  std::vector<PoseError> errors;                   ///< of the pairs
   std::optional<ErrorStatistics> ate_m;            ///< absolute trajectory error
   std::optional<ErrorStatistics> aoe_deg;          ///< absolute orientation error
   std::optional<ErrorStatistics> correct_ate_m;    ///< of the correct poses alone
@@ -48,12 +48,12 @@ namespace detail {
 
 /// For how long the sequence was tracked correctly, s: every correct pose counts until the next
 /// matched pose, at most Δ_max.
-inline double correct_time(const std::vector<double>& stamps_s, const std::vector<bool>& correct,
+inline double correct_time(const std::vector<PosePair>& pairs, const std::vector<bool>& correct,
                            double end_s, double max_pose_interval_s) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < stamps_s.size(); ++i) {
-    const double next = i + 1 < stamps_s.size() ? stamps_s[i + 1] : end_s;
-    if (correct[i]) sum += std::min(max_pose_interval_s, next - stamps_s[i]);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const double next = i + 1 < pairs.size() ? pairs[i + 1].stamp_s : end_s;
+    if (correct[i]) sum += std::min(max_pose_interval_s, next - pairs[i].stamp_s);
   }
   return sum;
 }
@@ -67,10 +67,9 @@ inline SequenceScore score_sequence(const Trajectory& groundtruth, const Traject
   TOPOBAG_ASSERT(!groundtruth.empty());
   SequenceScore score;
   score.poses = estimate.size();
-  const auto pairs =
+  score.pairs =
       aligned(associate(groundtruth, estimate, rules.max_gap_s, rules.interpolation), alignment);
-  score.errors = pose_errors(pairs);
-  for (const PosePair& pair : pairs) score.stamps_s.push_back(pair.stamp_s);
+  score.errors = pose_errors(score.pairs);
 
   std::vector<bool> correct;
   std::vector<PoseError> correct_errors;
@@ -86,20 +85,20 @@ inline SequenceScore score_sequence(const Trajectory& groundtruth, const Traject
 
   const double start_s = groundtruth.front().stamp_s;
   const double end_s = groundtruth.back().stamp_s;  // no matched estimate is later
-  const double first_s = pairs.empty() ? start_s : pairs.front().stamp_s;
+  const double first_s = score.pairs.empty() ? start_s : score.pairs.front().stamp_s;
   const double tracked_s =
-      detail::correct_time(score.stamps_s, correct, end_s, rules.max_pose_interval_s);
+      detail::correct_time(score.pairs, correct, end_s, rules.max_pose_interval_s);
   if (end_s > start_s) score.cr = tracked_s / (end_s - start_s);
   if (end_s > first_s) score.tracking_cr = tracked_s / (end_s - first_s);
-  if (pairs.empty()) return score;
+  if (score.pairs.empty()) return score;
   score.relocalization_time_s = first_s - start_s;
   if (correct.front()) score.cs_r = std::exp(-*score.relocalization_time_s / rules.tau_s);
   return score;
 }
 
 /// Scores of every estimated sequence by number. The alignment is estimated on the lowest-numbered
-/// one only and applied to all: a lifelong system has to know where it is in its first map.
-/// Throws Error when a sequence has no ground truth.
+/// one only and applied to all: a lifelong system has to know where it is in its first map. Without
+/// a match there it is the identity. Throws Error when a sequence has no ground truth.
 inline std::map<int, SequenceScore> score_lifelong(const std::map<int, Trajectory>& groundtruth,
                                                    const std::map<int, Trajectory>& estimates,
                                                    const LifelongRules& rules = {}) {

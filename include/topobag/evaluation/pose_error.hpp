@@ -16,9 +16,12 @@ inline constexpr double degrees_per_radian = 57.295779513082320876798;
 
 /// The angle of a rotation, degrees in [0, 180]. Exact near 0 and near 180, where the arccos of the
 /// trace loses half of the digits.
+inline double rotation_angle_deg(const Eigen::Quaterniond& rotation) {
+  return 2.0 * std::atan2(rotation.vec().norm(), std::abs(rotation.w())) * degrees_per_radian;
+}
+
 inline double rotation_angle_deg(const Eigen::Matrix3d& rotation) {
-  const Eigen::Quaterniond q(rotation);
-  return 2.0 * std::atan2(q.vec().norm(), std::abs(q.w())) * degrees_per_radian;
+  return rotation_angle_deg(Eigen::Quaterniond(rotation));
 }
 
 /// How far an estimated pose is from the true one: the size of E = T_true⁻¹ · T_estimate.

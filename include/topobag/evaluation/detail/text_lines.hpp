@@ -49,11 +49,10 @@ class TextLines {
   std::size_t number() const noexcept { return number_; }
   const std::string& name() const noexcept { return name_; }
 
-  /// The numbers of a line, separated by blanks and at most one comma (or only by blanks when
-  /// `separator` is one); replaces the content of `numbers`. Locale-independent; anything that is
-  /// not a whole number text is refused.
-  void numbers(std::string_view line, char separator, std::vector<double>& numbers) const {
-    numbers.clear();
+  /// The numbers of a line, separated by blanks or, with `separator` a comma, by single commas;
+  /// replaces the content of `values`. Locale-independent; anything else is refused.
+  void numbers(std::string_view line, char separator, std::vector<double>& values) const {
+    values.clear();
     const char* at = line.data();
     const char* const end = at + line.size();
     const auto skip_blanks = [&] {
@@ -67,10 +66,11 @@ class TextLines {
         const std::string_view rest(at, static_cast<std::size_t>(end - at));
         fail("'" + std::string(rest.substr(0, rest.find_first_of(" \t,"))) + "' is not a number.");
       }
-      numbers.push_back(value);
+      values.push_back(value);
       at = stop;
       skip_blanks();
-      if (at == end || *at != separator) continue;
+      if (at == end || separator == ' ') continue;
+      if (*at != separator) fail("two numbers without a separator between them.");
       ++at;
       skip_blanks();
       if (at == end) fail("the line ends after a separator; a number is missing.");

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <topobag/evaluation/labelled_scores.hpp>
+#include <topobag/evaluation/npy_matrix.hpp>
+#include <topobag/evaluation/protocol_text.hpp>
+#include <topobag/evaluation/score_csv.hpp>
+
+#include "commands.hpp"
+#include "csv_reader.hpp"
+#include "pose_files.hpp"
+#include "retrieval_report.hpp"
+
+namespace program {
+namespace {
+
+struct EvaluateOptions {
+  std::string scores;
+  std::string against;
+  std::string poses;
+  std::string map_poses;
+  std::string times;
+  std::string protocol;
+  bool lower_is_better = false;
+  bool as_json = false;
+  std::vector<double> pose_limits;
+  double accept = -std::numeric_limits<double>::infinity();
+  std::string curve;
+  std::string ranks;
+  RetrievalReportOptions report;
+};
+
+/// The scores of a method, higher = more alike, with what the truth says of them.
+struct Method {
+  topobag::LabelledScores labelled;
+  topobag::ScoreList list;  ///< empty for a matrix
+};
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+Method read_method(const std::string& path, const EvaluateOptions& options,
+                   const topobag::PlaceTruth& truth) {
+  std::variant<topobag::ScoreMatrix, topobag::ScoreList> scores;
+  if (ends_with(path, ".npy")) {
+    scores = topobag::read_npy(path);
+  } else {
+    scores = topobag::read_score_csv(path);
+  }
+  Method method;
+  try {
+    if (auto* const matrix = std::get_if<topobag::ScoreMatrix>(&scores)) {
+      if (options.lower_is_better) *matrix = -*matrix;
+      method.labelled = topobag::label_scores(*matrix, truth);
+    } else {
+      method.list = std::get<topobag::ScoreList>(std::move(scores));
+      if (options.lower_is_better) {
+        for (topobag::ScoredPair& pair : method.list.pairs) pair.score = -pair.score;
+      }
+      method.labelled = topobag::label_scores(method.list.pairs, truth);
+    }
+  } catch (const topobag::Error& error) {
+    throw InputError(path, error.what());
+  }
+  return method;
+}
+
+topobag::PlaceTruth read_truth(const EvaluateOptions& options) {
+  const topobag::PlaceProtocol protocol = topobag::parse_protocol(options.protocol);
+  const topobag::Trajectory queries = read_trajectory(options.poses, options.times);
+  if (options.map_poses.empty()) return {protocol, queries};
+  return {protocol, queries, read_trajectory(options.map_poses)};
+}
+
+topobag::PoseLimits read_limits(const std::vector<double>& v) {
+  if (v.empty()) return {};
+  const topobag::PoseLimits limits{v[0], v[1], v[2], v[3]};
+  if (!(v[0] >= 0.0 && v[1] >= 0.0 && v[2] >= v[0] && v[3] >= v[1])) {
+    throw InputError("--pose-limits",
+                     "a limit is negative, or a wrong limit below its correct one");
+  }
+  return limits;
+}
+
+Json loops_json(const EvaluateOptions& options, const topobag::ScoreList& list,
+                const topobag::PlaceTruth& truth) {
+  const topobag::PoseLimits limits = read_limits(options.pose_limits);
+  const double least = options.lower_is_better ? -options.accept : options.accept;
+  topobag::LoopVerdicts verdicts;
+  for (std::size_t i = 0; i < list.pairs.size(); ++i) {
+    const topobag::ScoredPair& pair = list.pairs[i];
+    if (pair.score < least) continue;
+    verdicts.add(
+        topobag::judge_loop(truth, pair.query, pair.candidate, list.T_candidate_query[i], limits));
+  }
+  return verdicts_json(verdicts, limits);
+}
+
+void evaluate(const EvaluateOptions& options) {
+  const topobag::PlaceTruth truth = read_truth(options);
+  const Method method = read_method(options.scores, options, truth);
+  Json result;
+  result["scores"] = options.scores;
+  result["poses"] = options.poses;
+  if (!options.map_poses.empty()) result["map_poses"] = options.map_poses;
+  result["protocol"] = topobag::to_string(truth.protocol());
+  result.update(retrieval_json(method.labelled, options.report));
+  if (!method.list.T_candidate_query.empty()) {
+    result["loops"] = loops_json(options, method.list, truth);
+  }
+  if (!options.against.empty()) {
+    const Method other = read_method(options.against, options, truth);
+    result["against"] = options.against;
+    result["comparison"] = comparison_json(method.labelled, other.labelled, options.report);
+  }
+  if (!options.curve.empty()) write_file(options.curve, curve_csv(method.labelled, options.report));
+  if (!options.ranks.empty()) write_file(options.ranks, ranks_csv(method.labelled));
+  std::cout << output_text(result, options.as_json);
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "evaluate", "Scores any method's similarities against a declared definition of a true loop");
+  const auto options = std::make_shared<EvaluateOptions>();
+  topobag::ResamplingOptions& resampling = options->report.resampling;
+  command
+      .add_option("--scores", options->scores,
+                  "Matrix (a row per query; .npy or CSV) or list (CSV with the header "
+                  "query,candidate,score[,tx,ty,tz,qx,qy,qz,qw])")
+      ->required();
+  command
+      .add_option("--poses", options->poses,
+                  "True camera poses, a row per query: TUM, KITTI, OpenLORIS or SET.frames.csv")
+      ->required();
+  command.add_option("--map-poses", options->map_poses,
+                     "True poses of the candidates [those of the queries: loops]");
+  command.add_option("--times", options->times, "times.txt of KITTI poses");
+  command
+      .add_option(
+          "--protocol", options->protocol,
+          "What a true loop is: distance=M,angle=DEG,negative-distance=M,negative-angle=DEG,"
+          "covisibility=C,negative-covisibility=C,frustum=fx:fy:cx:cy:w:h:near:far,"
+          "exclude-seconds=S,exclude-frames=N,past-only")
+      ->required();
+  command.add_flag("--lower-is-better", options->lower_is_better, "The scores are distances");
+  command.add_option("--k", options->report.ks, "The K of Recall@K")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--bootstrap", resampling.resamples,
+                  "Resamples of the queries for confidence intervals; 0 = none")
+      ->capture_default_str();
+  command.add_option("--level", options->report.level, "Of the confidence intervals")
+      ->check(CLI::Range(0.01, 0.999))
+      ->capture_default_str();
+  command.add_option("--seed", resampling.seed, "Of the resamples")->capture_default_str();
+  command.add_option("--against", options->against,
+                     "Scores of another method: tests the difference, paired by query");
+  command
+      .add_option("--pose-limits", options->pose_limits,
+                  "Of a loop's pose: correct m, correct deg, wrong m, wrong deg [0.3 15 1 45]")
+      ->expected(4)
+      ->delimiter(',');
+  command.add_option("--accept", options->accept,
+                     "Score from which on a pair with a pose is an accepted loop [every pair]");
+  command.add_option("--curve", options->curve, "CSV to write: the precision-recall curve");
+  command.add_option("--ranks", options->ranks, "CSV to write: each query's first true answer");
+  command.add_flag("--json", options->as_json, "Print JSON");
+  command.callback([options] {
+    options->report.score_sign = options->lower_is_better ? -1.0 : 1.0;
+    evaluate(*options);
+  });
+}
+
+}  // namespace program

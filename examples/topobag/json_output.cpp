@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "json_output.hpp"
+
+#include <algorithm>
+
+namespace program {
+namespace {
+
+std::string value_text(const Json& value) {
+  if (value.is_null()) return "undefined";
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const Json& item : value) text += (text.empty() ? "" : " .. ") + value_text(item);
+  return text;
+}
+
+void append_lines(const Json& object, std::size_t indent, std::string& text) {
+  std::size_t width = 0;
+  for (const auto& item : object.items()) width = std::max(width, item.key().size());
+  for (const auto& item : object.items()) {
+    text += std::string(indent, ' ') + item.key();
+    if (item.value().is_object()) {
+      text += '\n';
+      append_lines(item.value(), indent + 2, text);
+    } else {
+      text += std::string(width + 2 - item.key().size(), ' ') + value_text(item.value()) + '\n';
+    }
+  }
+}
+
+}  // namespace
+
+std::string output_text(const Json& result, bool as_json) {
+  if (as_json) return result.dump(2) + '\n';
+  std::string text;
+  append_lines(result, 0, text);
+  return text;
+}
+
+}  // namespace program

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <iostream>
+#include <locale>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <topobag/evaluation/lifelong_score.hpp>
+#include <topobag/evaluation/relative_pose_error.hpp>
+
+#include "commands.hpp"
+#include "csv_reader.hpp"
+#include "json_output.hpp"
+#include "pose_files.hpp"
+
+namespace program {
+namespace {
+
+using topobag::AlignmentModel;
+using topobag::RelativeStep;
+using topobag::RotationInterpolation;
+
+struct TrajectoryOptions {
+  std::string groundtruth;
+  std::string estimate;
+  std::string times;
+  std::vector<std::string> body_frame;
+  std::string interpolation = "auto";
+  bool keep_repeated = false;
+  bool rpe_consecutive = false;
+  bool as_json = false;
+  std::string errors;
+  topobag::LifelongRules rules;
+  RelativeStep step;
+};
+
+/// `auto`, or seven numbers separated by blanks or commas.
+Eigen::Isometry3d body_frame(const TrajectoryOptions& options, const std::string& frame) {
+  if (options.body_frame.empty()) return Eigen::Isometry3d::Identity();
+  const InputError no_pose("--body-frame",
+                           "give auto, or T_groundtruthbody_estimatebody as seven numbers tx ty tz "
+                           "qx qy qz qw with a quaternion of unit length");
+  if (options.body_frame.front() == "auto") {
+    const auto T_base_frame = topobag::openloris_T_base_frame(frame);
+    if (!T_base_frame) {
+      throw InputError(options.estimate, "its frame '" + frame +
+                                             "' is no sensor of OpenLORIS-Scene; give "
+                                             "--body-frame as seven numbers");
+    }
+    return *T_base_frame;
+  }
+  std::vector<double> v;
+  for (const std::string& text : options.body_frame) {
+    const std::optional<double> number = parse_number(text);
+    if (!number) throw no_pose;
+    v.push_back(*number);
+  }
+  if (v.size() != 7) throw no_pose;
+  const Eigen::Quaterniond rotation(v[6], v[3], v[4], v[5]);
+  if (std::abs(rotation.norm() - 1.0) > 0.01) throw no_pose;
+  return Eigen::Translation3d(v[0], v[1], v[2]) * rotation.normalized();
+}
+
+Json statistics_json(const std::optional<topobag::ErrorStatistics>& s) {
+  if (!s) return nullptr;
+  return {{"rmse", s->rmse}, {"mean", s->mean}, {"median", s->median}, {"max", s->max}};
+}
+
+std::optional<double> rmse(const std::optional<topobag::ErrorStatistics>& statistics) {
+  return statistics ? std::optional<double>(statistics->rmse) : std::nullopt;
+}
+
+Json score_json(const topobag::SequenceScore& score, const RelativeStep& step) {
+  const auto relative = topobag::relative_pose_errors(score.pairs, step);
+  Json json;
+  json["poses"] = score.poses;
+  json["matched"] = score.errors.size();
+  json["correct"] = score.correct_ate_m ? score.correct_ate_m->count : 0;
+  json["cr"] = or_null(score.cr);
+  json["tracking_cr"] = or_null(score.tracking_cr);
+  json["cs_r"] = score.cs_r;
+  json["relocalization_time_s"] = or_null(score.relocalization_time_s);
+  json["ate_rmse"] = or_null(rmse(score.ate_m));
+  json["aoe_rmse"] = or_null(rmse(score.aoe_deg));
+  json["correct_ate_rmse"] = or_null(rmse(score.correct_ate_m));
+  json["correct_aoe_rmse"] = or_null(rmse(score.correct_aoe_deg));
+  json["ate_m"] = statistics_json(score.ate_m);
+  json["aoe_deg"] = statistics_json(score.aoe_deg);
+  json["rpe_steps"] = relative.size();
+  json["rpe_m"] = statistics_json(topobag::translation_statistics(relative));
+  json["rpe_deg"] = statistics_json(topobag::rotation_statistics(relative));
+  return json;
+}
+
+/// An infinite limit is none.
+Json limit_json(double limit) { return std::isfinite(limit) ? Json(limit) : Json(); }
+
+const std::map<std::string, AlignmentModel> alignments{
+    {"none", AlignmentModel::none}, {"se3", AlignmentModel::se3}, {"sim3", AlignmentModel::sim3}};
+const std::map<std::string, RelativeStep::Unit> units{{"frames", RelativeStep::Unit::frames},
+                                                      {"seconds", RelativeStep::Unit::seconds},
+                                                      {"metres", RelativeStep::Unit::metres}};
+
+template <typename Value>
+std::string name_of(const std::map<std::string, Value>& names, Value value) {
+  for (const auto& [name, other] : names) {
+    if (other == value) return name;
+  }
+  return "";
+}
+
+Json rules_json(const TrajectoryOptions& options, const topobag::LifelongRules& rules) {
+  Json json;
+  json["ate_threshold_m"] = limit_json(rules.ate_threshold_m);
+  json["aoe_threshold_deg"] = limit_json(rules.aoe_threshold_deg);
+  json["max_pose_interval_s"] = rules.max_pose_interval_s;
+  json["tau_s"] = rules.tau_s;
+  json["max_gap_s"] = rules.max_gap_s;
+  json["interpolation"] =
+      rules.interpolation == RotationInterpolation::slerp ? "slerp" : "openloris";
+  json["alignment"] = name_of(alignments, rules.alignment);
+  json["repeated_poses"] = options.keep_repeated ? "kept" : "dropped";
+  json["rpe_step"] = options.step.length;
+  json["rpe_unit"] = name_of(units, options.step.unit);
+  json["rpe_starts"] = options.step.all_starts ? "every pose" : "end to end";
+  return json;
+}
+
+std::string errors_csv(const std::map<int, topobag::SequenceScore>& scores) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(17);
+  text << "sequence,timestamp,ate_m,aoe_deg\n";
+  for (const auto& [number, score] : scores) {
+    for (std::size_t i = 0; i < score.errors.size(); ++i) {
+      text << number << ',' << score.pairs[i].stamp_s << ',' << score.errors[i].translation_m << ','
+           << score.errors[i].rotation_deg << '\n';
+    }
+  }
+  return text.str();
+}
+
+void score_trajectory(const TrajectoryOptions& options) {
+  const auto repeated =
+      options.keep_repeated ? topobag::RepeatedPoses::keep : topobag::RepeatedPoses::drop;
+  PoseFile truth = read_pose_file(options.groundtruth, options.times);
+  const PoseFile estimate = read_pose_file(options.estimate, options.times, repeated);
+  if (!options.times.empty() && truth.format != PoseFormat::kitti &&
+      estimate.format != PoseFormat::kitti) {
+    throw InputError("--times " + options.times, "only KITTI trajectories go with a file of times");
+  }
+  const Eigen::Isometry3d T_body = body_frame(options, estimate.content.frame);
+  for (auto& [number, trajectory] : truth.content.sequences) {
+    trajectory = topobag::in_frame(std::move(trajectory), T_body);
+  }
+  topobag::LifelongRules rules = options.rules;
+  const bool benchmark = options.interpolation == "auto" ? estimate.format == PoseFormat::openloris
+                                                         : options.interpolation == "openloris";
+  rules.interpolation = benchmark ? RotationInterpolation::openloris : RotationInterpolation::slerp;
+  const auto scores =
+      topobag::score_lifelong(truth.content.sequences, estimate.content.sequences, rules);
+
+  Json result;
+  result["groundtruth"] = options.groundtruth;
+  result["estimate"] = options.estimate;
+  result["rules"] = rules_json(options, rules);
+  for (const auto& [number, score] : scores) {
+    result["sequences"][std::to_string(number)] = score_json(score, options.step);
+  }
+  if (!options.errors.empty()) write_file(options.errors, errors_csv(scores));
+  std::cout << output_text(result, options.as_json);
+}
+
+}  // namespace
+
+void add_trajectory_command(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "trajectory", "Scores a trajectory against the truth: ATE, AOE, RPE, CR, CS-R");
+  const auto options = std::make_shared<TrajectoryOptions>();
+  topobag::LifelongRules& rules = options->rules;
+  const auto positive = CLI::PositiveNumber;
+  command
+      .add_option("--groundtruth", options->groundtruth,
+                  "True poses: TUM, KITTI, OpenLORIS or SET.frames.csv")
+      ->required();
+  command.add_option("--estimate", options->estimate, "Estimated poses, in any of the formats")
+      ->required();
+  command.add_option("--times", options->times, "times.txt of KITTI trajectories");
+  command
+      .add_option("--body-frame", options->body_frame,
+                  "Pose of the estimate's body in the truth's: auto = the OpenLORIS table by the "
+                  "file's frame, else tx ty tz qx qy qz qw [the same body]")
+      ->expected(1, 7)
+      ->delimiter(',');
+  command.add_option("--ate-threshold", rules.ate_threshold_m, "Largest ATE of a correct pose, m")
+      ->check(positive);
+  command
+      .add_option("--aoe-threshold", rules.aoe_threshold_deg, "Largest AOE of a correct pose, deg")
+      ->check(positive);
+  command.add_option("--tau", rules.tau_s, "Time constant of CS-R, s")
+      ->check(positive)
+      ->capture_default_str();
+  command
+      .add_option("--max-pose-interval", rules.max_pose_interval_s,
+                  "For how long a correct pose counts, s")
+      ->check(positive)
+      ->capture_default_str();
+  command.add_option("--max-gap", rules.max_gap_s, "To the true poses interpolated between, s")
+      ->check(positive)
+      ->capture_default_str();
+  command
+      .add_option("--alignment", rules.alignment,
+                  "Of the first sequence, for all: none, se3 or sim3 [se3]")
+      ->transform(CLI::CheckedTransformer(alignments));
+  command
+      .add_option(
+          "--interpolation", options->interpolation,
+          "Of true rotations: slerp, openloris (as that benchmark's script) or auto (by the "
+          "estimate's format)")
+      ->check(CLI::IsMember({"auto", "slerp", "openloris"}))
+      ->capture_default_str();
+  command.add_flag("--keep-repeated", options->keep_repeated,
+                   "Keep an OpenLORIS estimate's repeated poses");
+  command.add_option("--rpe-step", options->step.length, "Step of the relative pose error")
+      ->check(positive)
+      ->capture_default_str();
+  command.add_option("--rpe-unit", options->step.unit, "frames, seconds or metres [frames]")
+      ->transform(CLI::CheckedTransformer(units));
+  command.add_flag("--rpe-consecutive", options->rpe_consecutive,
+                   "Steps end to end instead of from every pose");
+  command.add_option("--errors", options->errors, "CSV to write: the errors of every pose");
+  command.add_flag("--json", options->as_json, "Print JSON");
+  command.callback([options] {
+    options->step.all_starts = !options->rpe_consecutive;
+    score_trajectory(*options);
+  });
+}
+
+}  // namespace program

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/assert.hpp>
+#include <topobag/evaluation/place_protocol.hpp>
+#include <topobag/evaluation/pose_error.hpp>
+#include <topobag/evaluation/trajectory.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Which pairs of key frames show the same place: a protocol over true camera poses.
+class PlaceTruth {
+ public:
+  /// Loops within one trajectory: every key frame is a query and a candidate. The pair of a key
+  /// frame with itself is excluded, and the protocol's exclusions hold. Throws InvalidValue.
+  PlaceTruth(const PlaceProtocol& protocol, const Trajectory& places)
+      : protocol_(protocol), queries_(rows(places)), map_(queries_), one_trajectory_(true) {
+    protocol_.validate();
+  }
+
+  /// Re-localization of `queries` in the map of another trajectory, in the same world. The
+  /// protocol's exclusions are about one trajectory: throws InvalidValue when it has any.
+  PlaceTruth(const PlaceProtocol& protocol, const Trajectory& queries, const Trajectory& map)
+      : protocol_(protocol), queries_(rows(queries)), map_(rows(map)), one_trajectory_(false) {
+    protocol_.validate();
+    if (protocol.exclude_seconds > 0.0 || protocol.exclude_frames > 0 || protocol.past_only) {
+      throw InvalidValue(
+          "a protocol excludes neighbours within one trajectory only, not between a query "
+          "trajectory and a map");
+    }
+  }
+
+  std::size_t num_queries() const noexcept { return queries_.size(); }
+  std::size_t num_candidates() const noexcept { return map_.size(); }
+  const PlaceProtocol& protocol() const noexcept { return protocol_; }
+
+  /// What the protocol says of a pair. O(1).
+  PairRelation relation(std::size_t query, std::size_t candidate) const {
+    TOPOBAG_ASSERT(query < queries_.size() && candidate < map_.size());
+    const Row& q = queries_[query];
+    const Row& c = map_[candidate];
+    if (one_trajectory_) {
+      const std::size_t gap = query > candidate ? query - candidate : candidate - query;
+      if (gap == 0 || gap < protocol_.exclude_frames) return PairRelation::excluded;
+      if (std::abs(q.stamp_s - c.stamp_s) < protocol_.exclude_seconds) {
+        return PairRelation::excluded;
+      }
+      if (protocol_.past_only && candidate > query) return PairRelation::excluded;
+    }
+    if (protocol_.covisibility) {
+      return relation_by_covisibility(
+          protocol_, frustum_overlap(*protocol_.frustum, T_candidate_query(query, candidate)));
+    }
+    return relation_by_distance(protocol_, (q.position - c.position).norm(), [&] {
+      return rotation_angle_deg(c.orientation.conjugate() * q.orientation);
+    });
+  }
+
+  /// The true relative pose of a pair.
+  Eigen::Isometry3d T_candidate_query(std::size_t query, std::size_t candidate) const {
+    return map_[candidate].pose().inverse(Eigen::Isometry) * queries_[query].pose();
+  }
+
+ private:
+  struct Row {
+    double stamp_s;
+    Eigen::Vector3d position;
+    Eigen::Quaterniond orientation;
+
+    Eigen::Isometry3d pose() const { return Eigen::Translation3d(position) * orientation; }
+  };
+
+  static std::vector<Row> rows(const Trajectory& trajectory) {
+    std::vector<Row> rows;
+    rows.reserve(trajectory.size());
+    for (const StampedPose& pose : trajectory) {
+      rows.push_back({pose.stamp_s, pose.T_world_body.translation(),
+                      Eigen::Quaterniond(pose.T_world_body.linear())});
+    }
+    return rows;
+  }
+
+  PlaceProtocol protocol_;
+  std::vector<Row> queries_;
+  std::vector<Row> map_;
+  bool one_trajectory_;
+};
+
+}  // namespace v0
+}  // namespace topobag
