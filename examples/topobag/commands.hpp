@@ -9,5 +9,7 @@ namespace program {
 // topobag::Error on bad input and prints its result to stdout at the very end, so that a failure
 // leaves no half of it there.
 void add_nodes_command(CLI::App& app);
+void add_localize_command(CLI::App& app);
+void add_loops_command(CLI::App& app);
 
 }  // namespace program

@@ -27,6 +27,8 @@ int main(int argc, char** argv) {
                                         std::to_string(TOPOBAG_VERSION_MINOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_PATCH));
   program::add_nodes_command(app);
+  program::add_localize_command(app);
+  program::add_loops_command(app);
   try {
     app.parse(argc, argv);
     if (!std::cout.flush()) return fail("the output cannot be written");
