@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include <CLI/CLI.hpp>
 
 #include <topobag/sensing/pinhole_camera.hpp>
 
 namespace program {
 
-/// Adds the required option `--camera fx,fy,cx,cy[,width,height]`, px, which fills `camera`.
+/// Adds an option such as `--camera fx,fy,cx,cy[,width,height]`, px, which fills `camera`.
 /// Parsing throws InputError when it is not a camera.
-CLI::Option* add_camera_option(CLI::App& command, topobag::PinholeCamera<>& camera);
+CLI::Option* add_camera_option(CLI::App& command, const std::string& name,
+                               topobag::PinholeCamera<>& camera, const std::string& description);
+
+struct ImageSize {
+  int width = 640;   ///< px
+  int height = 480;  ///< px
+};
+
+/// Adds the option `--image-size width,height`, for a camera that was given without.
+CLI::Option* add_image_size_option(CLI::App& command, ImageSize& size);
+
+/// The camera, with `size` where it has none.
+topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageSize& size);
 
 }  // namespace program

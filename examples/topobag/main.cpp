@@ -26,8 +26,10 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::to_string(TOPOBAG_VERSION_MAJOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_MINOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_PATCH));
-  program::add_nodes_command(app);
   program::add_evaluate_command(app);
+  program::add_localize_command(app);
+  program::add_loops_command(app);
+  program::add_nodes_command(app);
   program::add_trajectory_command(app);
   try {
     app.parse(argc, argv);

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "detect_nodes.hpp"
+#include "number_check.hpp"
 
 namespace program {
 namespace {
@@ -88,16 +89,18 @@ void add_nodes_command(CLI::App& app) {
   command.add_option("--names", options->names, "Classes of the network, one a line [COCO's 80]");
   command.add_option("--out", options->out, "Table to write: OUT.frames.csv and OUT.nodes.csv")
       ->required();
-  add_camera_option(command, options->camera);
+  add_camera_option(command, "--camera", options->camera,
+                    "Intrinsics fx,fy,cx,cy[,width,height], px")
+      ->required();
   command.add_option("--depth-scale", options->depth_scale, "Depth value that means one metre")
-      ->check(CLI::PositiveNumber)
+      ->check(number_within(1e-6))
       ->capture_default_str();
   command
       .add_option("--min-confidence", options->yolox.min_confidence, "Least score of a detection")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_within(0.0, 1.0))
       ->capture_default_str();
   command.add_option("--nms", options->yolox.max_iou, "Overlap (IoU) of two objects of a class")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_within(0.0, 1.0))
       ->capture_default_str();
   command.add_option("--input-size", options->yolox.input_size, "Side of the network's input, px")
       ->check(CLI::Range(32, 4096))

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "keyframe_graphs.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <topobag/edges/delaunay_edges2.hpp>
+#include <topobag/graph/local_graph.hpp>
+#include <topobag/sensing/lift_detections.hpp>
+
+#include "input_error.hpp"
+
+namespace program {
+namespace {
+
+std::vector<const FrameRow*> select_keyframes(const NodeTable& table, double interval) {
+  const double rounding = 1e-6;  // s; of the stamps' last digit
+  std::vector<const FrameRow*> selected;
+  double due = 0.0;
+  for (const FrameRow& frame : table.frames) {
+    const double elapsed = frame.timestamp - table.frames.front().timestamp + rounding;
+    if (elapsed < due) continue;
+    selected.push_back(&frame);
+    if (interval > 0.0) due = (std::floor(elapsed / interval) + 1.0) * interval;
+  }
+  return selected;
+}
+
+/// The camera and all that may hide an object from it, people too. A box of half the image is a
+/// room, not an object.
+topobag::View<> view_of(const FrameRow& frame, const KeyframeOptions& options,
+                        double max_image_share) {
+  topobag::View<> view;
+  view.camera = options.camera;
+  const double max_area = max_image_share * options.camera.width * options.camera.height;
+  for (const TableDetection& detection : frame.detections) {
+    if (detection.confidence >= options.min_confidence && detection.box.area() < max_area) {
+      view.occluders.push_back({detection.box, detection.z});
+    }
+  }
+  return view;
+}
+
+Eigen::Isometry3d relative_pose(const FrameRow& previous, const FrameRow& current) {
+  for (const FrameRow* frame : {&previous, &current}) {
+    if (!frame->T_world_camera) {
+      throw topobag::InvalidValue("frame idx " + std::to_string(frame->idx) +
+                                  " has no pose, which a window needs; give --window 0");
+    }
+  }
+  return previous.T_world_camera->inverse() * *current.T_world_camera;
+}
+
+}  // namespace
+
+std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options) {
+  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  topobag::LiftOptions lifting;
+  lifting.min_confidence = options.min_confidence;
+  topobag::LocalGraphOptions fusing;
+  fusing.window = options.window;
+  topobag::LocalGraph<> local(fusing);
+
+  std::vector<Keyframe> keyframes;
+  const FrameRow* previous = nullptr;
+  for (const FrameRow* frame : select_keyframes(table, options.interval)) {
+    auto nodes =
+        topobag::lift_detections(frame->detections, options.camera, catalog, lifting).nodes;
+    topobag::View<> view = view_of(*frame, options, lifting.max_image_share);
+    Keyframe keyframe{frame->idx, frame->timestamp, frame->T_world_camera, {}};
+    if (options.window > 0.0) {
+      local.add(frame->timestamp, nodes, relative_pose(previous ? *previous : *frame, *frame),
+                std::move(view));
+      keyframe.graph = local.graph();
+    } else {
+      keyframe.graph = topobag::make_topology_graph(std::move(nodes), topobag::DelaunayEdges2<>{},
+                                                    {std::move(view)});
+    }
+    keyframes.push_back(std::move(keyframe));
+    previous = frame;
+  }
+  return keyframes;
+}
+
+std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options) {
+  const NodeTable table = read_node_table(set);
+  try {
+    return keyframe_graphs(table, options);
+  } catch (const topobag::InvalidValue& invalid) {
+    throw InputError(set + ".frames.csv", invalid.what());
+  }
+}
+
+}  // namespace program

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/graph/topology_graph.hpp>
+#include <topobag/sensing/pinhole_camera.hpp>
+
+#include "node_table.hpp"
+
+namespace program {
+
+/// How the key frames of a table become graphs.
+struct KeyframeOptions {
+  topobag::PinholeCamera<> camera;  ///< of the table's images, with their size
+  double interval = 0.4;            ///< s from one key frame to the next; 0 = every frame
+  double window = 3.0;              ///< s of key frames that a graph fuses; 0 = single frames
+  double min_confidence = 0.3;      ///< least detector's score
+};
+
+/// A key frame and its graph, which knows nothing of where in the world it is.
+struct Keyframe {
+  std::int64_t idx = 0;                             ///< number of the frame in its table
+  double timestamp = 0.0;                           ///< s
+  std::optional<Eigen::Isometry3d> T_world_camera;  ///< the truth, for scoring alone
+  topobag::TopologyGraph<> graph;
+};
+
+/// The key frames of a table: for k = 0, 1, … the first frame at or after t0 + k · interval, each
+/// at most once. A window fuses the key frames in [t − window, t] by their relative poses; without
+/// one, a graph has the paper's edges, Delaunay in the image plane.
+/// Throws topobag::InvalidValue when a window lacks a pose.
+std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options);
+
+/// Reads the table and makes the graphs of its key frames. Throws InputError.
+std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options);
+
+}  // namespace program

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "recognition_run.hpp"
+
+namespace program {
+
+/// Draws the accepted match of the best score: the graphs of the map's and the query's key frame
+/// side by side as their cameras see them, matched objects joined. Without an accepted match the
+/// drawing says so.
+std::string match_svg(const RecognitionRun& run);
+
+}  // namespace program

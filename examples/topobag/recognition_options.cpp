@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "recognition_options.hpp"
+
+#include <iostream>
+#include <limits>
+
+#include "input_error.hpp"
+#include "number_check.hpp"
+#include "recognition_report.hpp"
+
+namespace program {
+
+void add_recognition_options(CLI::App& command, RecognitionArguments& arguments) {
+  KeyframeOptions& keyframes = arguments.keyframes;
+  add_camera_option(command, "--camera", keyframes.camera,
+                    "Intrinsics fx,fy,cx,cy[,width,height], px")
+      ->required();
+  add_image_size_option(command, arguments.image_size);
+  const auto number = [&](const char* name, double& value, const char* description, double max) {
+    command.add_option(name, value, description)
+        ->check(number_within(0.0, max))
+        ->capture_default_str();
+  };
+  const double any = std::numeric_limits<double>::infinity();
+  number("--keyframe-interval", keyframes.interval, "From key frame to key frame, s; 0 = all", any);
+  number("--window", keyframes.window, "Key frames fused in one graph, s; 0 = single frames", any);
+  number("--min-confidence", keyframes.min_confidence, "Least score of a detection", 1.0);
+  topobag::PoseLimits& limits = arguments.scoring.limits;
+  number("--correct-translation", limits.correct_translation_m, "Correct up to, m", any);
+  number("--correct-rotation", limits.correct_rotation_deg, "Correct up to, degrees", 180.0);
+  number("--wrong-translation", limits.wrong_translation_m, "Wrong beyond, m", any);
+  number("--wrong-rotation", limits.wrong_rotation_deg, "Wrong beyond, degrees", 180.0);
+  command.add_flag("--different-places", arguments.scoring.different_places,
+                   "The sequences share no place: every accepted match is wrong");
+  command.add_flag("--json", arguments.json, "Report in JSON");
+  command.add_flag("--verbose", arguments.verbose, "A line for each key frame")->excludes("--json");
+}
+
+void require_order(const topobag::PoseLimits& limits) {
+  if (limits.wrong_translation_m < limits.correct_translation_m) {
+    throw InputError("--wrong-translation", "wrong begins below where correct ends");
+  }
+  if (limits.wrong_rotation_deg < limits.correct_rotation_deg) {
+    throw InputError("--wrong-rotation", "wrong begins below where correct ends");
+  }
+}
+
+void print_report(const RecognitionRun& run, const RecognitionArguments& arguments) {
+  if (arguments.json) {
+    std::cout << to_json(run);
+    return;
+  }
+  std::cout << to_table(run, arguments.scoring.limits);
+  if (arguments.verbose) std::cout << '\n' << to_lines(run);
+}
+
+}  // namespace program

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "recognition_report.hpp"
+
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include <topobag/types/class_catalog.hpp>
+
+namespace program {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* to_string(topobag::PoseVerdict verdict) {
+  switch (verdict) {
+    case topobag::PoseVerdict::correct:
+      return "correct";
+    case topobag::PoseVerdict::imprecise:
+      return "imprecise";
+    case topobag::PoseVerdict::wrong:
+      return "wrong";
+  }
+  return "";
+}
+
+/// tx ty tz qx qy qz qw
+std::array<double, 7> pose_numbers(const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d t = pose.translation();
+  const Eigen::Quaterniond q(pose.linear());
+  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+}
+
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCatalog& catalog) {
+  const LookUp& look_up = run.look_ups[i];
+  const topobag::CandidateReport& match = *look_up.recognition.accepted;
+  Json objects = Json::object();
+  for (const auto& [label, count] : match.matched) objects[catalog.name(label)] = count;
+  Json json{{"query_idx", run.queries[i].idx},
+            {"map_idx", run.map[topobag::value(match.id)].idx},
+            {"score", match.pose->score()},
+            {"matched", objects},
+            {"pose_candidate_query", pose_numbers(match.pose->T_candidate_query)}};
+  if (look_up.error) {
+    json["translation_error_m"] = look_up.error->translation_m;
+    json["rotation_error_deg"] = look_up.error->rotation_deg;
+  }
+  if (look_up.verdict) json["verdict"] = to_string(*look_up.verdict);
+  return json;
+}
+
+/// "2 book, 1 tv"
+template <typename Counts>
+std::string count_text(const Counts& counts, const topobag::ClassCatalog& catalog) {
+  std::string text;
+  for (const auto& [label, count] : counts) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + catalog.name(label);
+  }
+  return text;
+}
+
+/// What should have been seen under the candidate's pose, and was not.
+std::string missing_text(const topobag::CandidateReport& report,
+                         const topobag::TopologyGraph<>& candidate,
+                         const topobag::TopologyGraph<>& query,
+                         const topobag::ClassCatalog& catalog) {
+  std::map<topobag::ClassId, std::size_t> counts;
+  for (const topobag::MissingObject& missing : report.pose->missing) {
+    ++counts[(missing.of_candidate ? candidate : query).node(missing.node).label];
+  }
+  return counts.empty() ? "" : "; missing " + count_text(counts, catalog);
+}
+
+void write_sequence(std::ostream& out, const char* role, const std::string& set,
+                    const std::vector<Keyframe>& keyframes) {
+  std::size_t usable = 0;
+  std::size_t objects = 0;
+  std::set<topobag::ClassId> classes;
+  for (const Keyframe& keyframe : keyframes) {
+    if (keyframe.graph.is_matchable()) ++usable;
+    objects += keyframe.graph.size();
+    for (const auto& node : keyframe.graph.nodes()) classes.insert(node.label);
+  }
+  out << std::left << std::setw(7) << role << set << ": " << keyframes.size() << " key frames in "
+      << std::fixed << std::setprecision(1)
+      << keyframes.back().timestamp - keyframes.front().timestamp << " s, " << usable << " usable, "
+      << static_cast<double>(objects) / static_cast<double>(keyframes.size()) << " objects each, "
+      << classes.size() << " classes\n";
+}
+
+}  // namespace
+
+std::string to_json(const RecognitionRun& run) {
+  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  const RunSummary summary = summarize(run);
+  Json json{{"keyframes", run.queries.size()},
+            {"map_keyframes", run.map.size()},
+            {"queries", summary.queries},
+            {"accepted", summary.accepted},
+            {"correct", summary.correct},
+            {"imprecise", summary.imprecise},
+            {"wrong", summary.wrong},
+            {"unscored", summary.unscored},
+            {"median_translation_error_m", number_or_null(summary.median_translation_error_m)},
+            {"median_rotation_error_deg", number_or_null(summary.median_rotation_error_deg)},
+            {"median_query_ms", number_or_null(summary.median_query_ms)},
+            {"matches", Json::array()}};
+  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
+    if (run.look_ups[i].recognition) json["matches"].push_back(match_json(run, i, catalog));
+  }
+  return json.dump(2) + '\n';
+}
+
+std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limits) {
+  const RunSummary summary = summarize(run);
+  std::ostringstream out;
+  write_sequence(out, "map", run.map_set, run.map);
+  write_sequence(out, "query", run.query_set, run.queries);
+  const auto row = [&](const char* name, std::size_t count) -> std::ostream& {
+    return out << "  " << std::left << std::setw(12) << name << std::right << std::setw(5) << count
+               << "  ";
+  };
+  out << '\n';
+  row("queries", summary.queries) << "key frames with a usable graph and a candidate\n";
+  row("accepted", summary.accepted);
+  if (summary.queries > 0) {
+    out << std::setprecision(0)
+        << 100.0 * static_cast<double>(summary.accepted) / static_cast<double>(summary.queries)
+        << " % of the queries";
+  }
+  out << '\n' << std::defaultfloat << std::setprecision(6);
+  row("correct", summary.correct) << "within " << limits.correct_translation_m << " m and "
+                                  << limits.correct_rotation_deg << "° of the truth\n";
+  row("imprecise", summary.imprecise) << "between: the right objects, a loose pose\n";
+  row("wrong", summary.wrong) << "beyond " << limits.wrong_translation_m << " m or "
+                              << limits.wrong_rotation_deg << "°, or known to be another place\n";
+  if (summary.unscored > 0) row("unscored", summary.unscored) << "the truth is not known\n";
+  out << '\n' << std::fixed;
+  if (summary.median_translation_error_m) {
+    out << "  median error  " << std::setprecision(3) << *summary.median_translation_error_m
+        << " m, " << std::setprecision(1) << *summary.median_rotation_error_deg << "°\n";
+  }
+  if (summary.median_query_ms) {
+    out << "  median query  " << std::setprecision(2) << *summary.median_query_ms << " ms\n";
+  }
+  return out.str();
+}
+
+std::string to_lines(const RecognitionRun& run) {
+  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  std::ostringstream out;
+  out << std::fixed;
+  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
+    const LookUp& look_up = run.look_ups[i];
+    const Keyframe& query = run.queries[i];
+    out << "idx " << query.idx << ", " << query.graph.size() << " objects: ";
+    if (!look_up.is_query()) {
+      out << (look_up.recognition.usable ? "nothing to compare with" : "no usable graph") << '\n';
+      continue;
+    }
+    const topobag::CandidateReport& best = look_up.recognition.accepted
+                                               ? *look_up.recognition.accepted
+                                               : look_up.recognition.candidates.front();
+    const Keyframe& candidate = run.map[topobag::value(best.id)];
+    out << to_string(best.verdict);
+    if (best.pose) {
+      out << std::setprecision(2) << ", map idx " << candidate.idx << ", score "
+          << best.pose->score() << " of " << best.threshold << ", "
+          << count_text(best.matched, catalog)
+          << missing_text(best, candidate.graph, query.graph, catalog);
+    }
+    if (look_up.error) {
+      out << "; off by " << look_up.error->translation_m << " m, " << std::setprecision(1)
+          << look_up.error->rotation_deg << "°";
+    }
+    if (look_up.verdict) out << ": " << to_string(*look_up.verdict);
+    out << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace program

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "recognition_run.hpp"
+
+namespace program {
+
+/// A scored run for machines: the figures and every accepted match.
+std::string to_json(const RecognitionRun& run);
+
+/// The figures for a reader.
+std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limits);
+
+/// A line for each key frame that was looked up: what was found, and why or why not.
+std::string to_lines(const RecognitionRun& run);
+
+}  // namespace program
