@@ -11,12 +11,12 @@
 #include <topobag/edges/knn_edges.hpp>
 #include <topobag/graph/topology_graph.hpp>
 
-/// Nodes of `classes` classes strewn through a room before a 640 × 480 camera; with
+/// Nodes of classes 1 to `classes` strewn through a room before a 640 × 480 camera; with
 /// `all_placed = false` one in five has no pixel, one in five no position.
 inline std::vector<topobag::SemanticNode<>> random_nodes(std::mt19937& random, std::size_t count,
                                                          int classes = 4, bool all_placed = true) {
   std::uniform_real_distribution<double> metres(-2.0, 2.0), unit(0.0, 1.0);
-  std::uniform_int_distribution<int> label(0, classes - 1);
+  std::uniform_int_distribution<int> label(1, classes);
   std::vector<topobag::SemanticNode<>> nodes(count);
   for (auto& node : nodes) {
     node.label = topobag::ClassId{label(random)};

@@ -26,12 +26,11 @@ TEST_CASE("class pairs and distances on hand-computed numbers", "[similarity]") 
   ClassPairDistanceHistogram similarity;
   similarity.bin_width = 0.5;
   similarity.class_vote = 0.1;
-  // 1.0 m falls into bin 2; 1.125 m gives .75 to bin 2 and .25 to bin 3. The classes share .02.
-  const double expected = (0.75 + 0.02) / std::sqrt((1.0 + 0.02) * (0.5625 + 0.0625 + 0.02));
-  CHECK(similarity(pair_apart(1, 2, 1.0), pair_apart(2, 1, 1.125)) == Approx(expected));
+  // 1.0 m falls into bin 2; 1.125 m gives .75 to bin 2 and .25 to bin 3; the classes share .2.
+  CHECK(similarity(pair_apart(1, 2, 1.0), pair_apart(2, 1, 1.125)) == Approx(0.95 / 1.45));
   // Another class, another distance: what is left is the class vote.
-  CHECK(similarity(pair_apart(1, 2, 1.0), pair_apart(1, 3, 1.0)) == Approx(0.01 / 1.02));
-  CHECK(similarity(pair_apart(1, 2, 1.0), pair_apart(1, 2, 3.0)) == Approx(0.02 / 1.02));
+  CHECK(similarity(pair_apart(1, 2, 1.0), pair_apart(1, 3, 1.0)) == Approx(0.1 / 2.3));
+  CHECK(similarity(pair_apart(1, 2, 1.0), pair_apart(1, 2, 3.0)) == Approx(0.2 / 2.2));
 }
 
 TEST_CASE("distances beyond the largest are alike", "[similarity]") {
@@ -47,9 +46,35 @@ TEST_CASE("graphs without two positions are compared by their classes", "[simila
   CHECK(similarity(TopologyGraph<>({node(1, 0)}), TopologyGraph<>({node(2, 0)})) == 0.0);
 }
 
-TEST_CASE("a descriptor is a unit histogram in ascending words", "[similarity]") {
+TEST_CASE("a descriptor holds a vote for each class and softly for each pair", "[similarity]") {
   const SparseHistogram h = ClassPairDistanceHistogram{}.descriptor(pair_apart(1, 2, 0.55));
   CHECK(h.entries().size() == 4);
-  CHECK(std::is_sorted(h.entries().begin(), h.entries().end()));
-  CHECK(dot(h, h) == Approx(1.0));
+  CHECK(h.total() == Approx(1.2));
+}
+
+TEST_CASE("class weights multiply the votes", "[similarity]") {
+  ClassPairDistanceHistogram similarity;
+  similarity.bin_width = 0.5;
+  similarity.weights.set(ClassId{1}, 4.0);
+  // Votes .4, .1 and sqrt(4 · 1); the other pair's distance is another, so .5 is common of 2.5
+  // each.
+  CHECK(similarity(pair_apart(1, 2, 1.0), pair_apart(1, 2, 3.0)) == Approx(0.5 / 4.5));
+}
+
+TEST_CASE("sizes vote for their octave", "[similarity]") {
+  const auto sized = [](double width_m, double height_m) {
+    SemanticNode<> n = node(1, 0.0);
+    n.size = {width_m, height_m};
+    return TopologyGraph<>({n});
+  };
+  ClassPairDistanceHistogram similarity;
+  similarity.class_vote = 0.25;
+  similarity.size_bin = 1.0;
+  // One octave apart in width, a quarter in height: .25 and .75 in common of 2.25 each.
+  const double s = similarity(sized(0.016, 0.032), sized(0.032, 0.032 * std::exp2(0.25)));
+  CHECK(s == Approx(1.0 / 3.5));
+  // An unknown size casts no vote.
+  CHECK(similarity(sized(0.016, 0.032), sized(0.0, 0.032)) == Approx(1.25 / 2.25));
+  similarity.size_vote = 0.0;
+  CHECK(similarity(sized(0.016, 0.032), sized(2.0, 3.0)) == 1.0);
 }

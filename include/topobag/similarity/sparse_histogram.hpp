@@ -46,11 +46,15 @@ class SparseHistogram {
       }
     }
     entries_.resize(kept);
+    for (const Entry& e : entries_) total_ += e.weight;
   }
 
   /// Ascending word, each once.
   const std::vector<Entry>& entries() const noexcept { return entries_; }
   bool empty() const noexcept { return entries_.empty(); }
+
+  /// Sum of all weights.
+  double total() const noexcept { return total_; }
 
   /// Scaled to Euclidean length 1; one that is all zero becomes empty. O(entries).
   SparseHistogram normalized() const {
@@ -59,9 +63,9 @@ class SparseHistogram {
     if (!(largest > 0.0)) return {};
     double sum = 0.0;
     for (const Entry& e : entries_) sum += (e.weight / largest) * (e.weight / largest);
-    SparseHistogram unit = *this;
-    for (Entry& e : unit.entries_) e.weight = e.weight / largest / std::sqrt(sum);
-    return unit;
+    std::vector<Entry> unit = entries_;
+    for (Entry& e : unit) e.weight = e.weight / largest / std::sqrt(sum);
+    return SparseHistogram(std::move(unit));
   }
 
   /// Lexicographic: a total order, by which symmetric measures sort their arguments.
@@ -74,18 +78,20 @@ class SparseHistogram {
 
  private:
   std::vector<Entry> entries_;
+  double total_ = 0.0;
 };
 
-/// Σ over the common words of the products of their weights. O(entries of both).
-inline double dot(const SparseHistogram& a, const SparseHistogram& b) noexcept {
+namespace detail {
+
+/// Σ term(weight in a, weight in b) over the words of both. O(entries of both).
+template <typename Term>
+double sum_over_common(const SparseHistogram& a, const SparseHistogram& b, const Term& term) {
   double sum = 0.0;
   auto i = a.entries().begin();
   auto j = b.entries().begin();
   while (i != a.entries().end() && j != b.entries().end()) {
     if (i->word == j->word) {
-      sum += i->weight * j->weight;
-      ++i;
-      ++j;
+      sum += term((i++)->weight, (j++)->weight);
     } else if (i->word < j->word) {
       ++i;
     } else {
@@ -95,9 +101,26 @@ inline double dot(const SparseHistogram& a, const SparseHistogram& b) noexcept {
   return sum;
 }
 
-/// Cosine of two `normalized` histograms, negative ones raised to 0: in [0, 1]. O(entries of both).
-inline double unit_cosine(const SparseHistogram& a, const SparseHistogram& b) noexcept {
+}  // namespace detail
+
+/// Σ of the products of the weights of common words. O(entries of both).
+inline double dot(const SparseHistogram& a, const SparseHistogram& b) {
+  return detail::sum_over_common(a, b, [](double x, double y) { return x * y; });
+}
+
+/// Cosine of two histograms that are `normalized`, negative ones raised to 0: in [0, 1].
+/// O(entries of both).
+inline double unit_cosine(const SparseHistogram& a, const SparseHistogram& b) {
   return std::clamp(dot(a, b), 0.0, 1.0);
+}
+
+/// Σ min / Σ max over the words of two histograms without negative weights, the Jaccard index of
+/// multisets: in [0, 1], 1 for equal ones, 0 when both are empty. O(entries of both).
+inline double jaccard(const SparseHistogram& a, const SparseHistogram& b) {
+  const double common =
+      detail::sum_over_common(a, b, [](double x, double y) { return std::min(x, y); });
+  const double all = a.total() + b.total() - common;
+  return all > 0.0 ? std::min(common / all, 1.0) : 0.0;
 }
 
 }  // namespace v0

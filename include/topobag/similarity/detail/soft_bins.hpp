@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <topobag/assert.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {
@@ -20,8 +21,10 @@ struct SoftBin {
 
 /// The two bins, centred on multiples of `width`, between which a vote at `distance` ≥ 0 is
 /// interpolated linearly. Distances beyond `max_distance` count as equal to it.
+/// Precondition: width > 0, 0 <= max_distance < 2³² widths.
 inline std::array<SoftBin, 2> soft_bins(double distance, double width,
                                         double max_distance) noexcept {
+  TOPOBAG_ASSERT(width > 0.0 && max_distance >= 0.0 && max_distance < 0x1p32 * width);
   const double place = std::min(distance, max_distance) / width;
   const double below = std::floor(place);
   const auto bin = static_cast<std::uint64_t>(below);

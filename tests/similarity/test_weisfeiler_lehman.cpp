@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <topobag/similarity/weisfeiler_lehman.hpp>
+
+#include "catch.hpp"
+#include "similarity/small_graphs.hpp"
+
+using namespace topobag;
+
+TEST_CASE("the subtree kernel on hand-computed graphs", "[similarity]") {
+  const auto path = graph_of({node_at(1), node_at(2), node_at(1)}, {{0, 1}, {1, 2}});
+  const auto edge = graph_of({node_at(1), node_at(2), node_at(1)}, {{0, 1}});
+  WeisfeilerLehman similarity;
+  similarity.iterations = 0;
+  CHECK(similarity(path, edge) == Approx(1.0));
+  // Refined: path 1(2) twice, 2(11); edge 1(2), 2(1), 1(). Products: counts 2·2 + 1·1 and 2·1.
+  similarity.iterations = 1;
+  CHECK(similarity(path, edge) == Approx(7.0 / std::sqrt((5.0 + 5.0) * (5.0 + 3.0))));
+}
+
+TEST_CASE("one iteration tells a star from a path, two tell the ends of longer paths apart",
+          "[similarity]") {
+  // Both have degrees {1, 1, 2, 2, 2}-like neighbourhoods only from the second iteration on.
+  const auto path =
+      graph_of({node_at(1), node_at(1), node_at(1), node_at(1), node_at(1), node_at(1)},
+               {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
+  const auto triangle_and_path =
+      graph_of({node_at(1), node_at(1), node_at(1), node_at(1), node_at(1), node_at(1)},
+               {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}});
+  WeisfeilerLehman similarity;
+  similarity.iterations = 1;
+  CHECK(similarity(path, triangle_and_path) == Approx(1.0));
+  similarity.iterations = 2;
+  CHECK(similarity(path, triangle_and_path) < 0.99);
+}
