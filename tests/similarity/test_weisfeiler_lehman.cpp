@@ -19,9 +19,8 @@ TEST_CASE("the subtree kernel on hand-computed graphs", "[similarity]") {
   CHECK(similarity(path, edge) == Approx(7.0 / std::sqrt((5.0 + 5.0) * (5.0 + 3.0))));
 }
 
-TEST_CASE("one iteration tells a star from a path, two tell the ends of longer paths apart",
-          "[similarity]") {
-  // Both have degrees {1, 1, 2, 2, 2}-like neighbourhoods only from the second iteration on.
+TEST_CASE("a second iteration sees what lies two edges away", "[similarity]") {
+  // Both have two nodes of degree 1 and four of degree 2, of one class.
   const auto path =
       graph_of({node_at(1), node_at(1), node_at(1), node_at(1), node_at(1), node_at(1)},
                {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
