@@ -2,6 +2,7 @@
 #include "match_svg.hpp"
 
 #include <array>
+#include <filesystem>
 #include <iomanip>
 #include <set>
 #include <sstream>
@@ -40,11 +41,16 @@ std::optional<std::size_t> best_look_up(const RecognitionRun& run) {
   return best;
 }
 
-/// "3 objects agree, score 4.20"
+/// A table's name without its folder.
+std::string name_of(const std::string& set) {
+  return std::filesystem::path(set).filename().string();
+}
+
+/// "b in a: 3 objects agree, score 4.20"
 std::string title_of(const RecognitionRun& run, const LookUp& look_up) {
   const topobag::RelativePose& pose = *look_up.recognition.accepted->pose;
   std::ostringstream out;
-  out << run.query_set << " in " << run.map_set << ": " << pose.inliers.size()
+  out << name_of(run.query_set) << " in " << name_of(run.map_set) << ": " << pose.inliers.size()
       << " objects agree, score " << std::fixed << std::setprecision(2) << pose.score();
   return out.str();
 }
@@ -93,7 +99,8 @@ std::string match_svg(const RecognitionRun& run) {
   const std::optional<std::size_t> best = best_look_up(run);
   if (!best) {
     open_svg(out, width, header);
-    draw_text(out, margin, 34, "title", run.query_set + " in " + run.map_set + ": no match");
+    draw_text(out, margin, 34, "title",
+              name_of(run.query_set) + " in " + name_of(run.map_set) + ": no match");
     out << "</svg>\n";
     return out.str();
   }

@@ -14,7 +14,7 @@ namespace {
 
 const topobag::PinholeCamera<> camera{500.0, 500.0, 319.5, 239.5, 640, 480};
 
-/// Frames at the given times; frame i sees one cup at x = i m before it.
+/// Frames at the given times, each of which sees one cup 2 m before it.
 NodeTable table_at(const std::vector<double>& stamps) {
   NodeTable table;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
