@@ -10,21 +10,18 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/similarity/padded_cosine.hpp>
 
 #include "camera_option.hpp"
 #include "commands.hpp"
 #include "input_error.hpp"
+#include "json_output.hpp"
 #include "keyframe_graphs.hpp"
 #include "number_check.hpp"
 
 namespace program {
 namespace {
-
-using Graph = topobag::TopologyGraph<>;
 
 /// Table 5 of the paper: key frames 1, 22, 44 and 197 of fr3_walking_xyz, counted from 1.
 const std::vector<std::int64_t> paper_frames{0, 21, 43, 196};
@@ -92,15 +89,15 @@ SimilarityTable compare(std::vector<const Keyframe*> frames, double depth_scale)
 }
 
 std::string to_json(const SimilarityTable& table) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  Json json;
+  Json& rows = json["frames"] = Json::array();
   for (std::size_t i = 0; i < table.frames.size(); ++i) {
-    nlohmann::ordered_json row{{"frame", table.frames[i]->idx},
-                               {"objects", table.frames[i]->graph.size()}};
+    Json row{{"frame", table.frames[i]->idx}, {"objects", table.frames[i]->graph.size()}};
     for (const Column& column : table.columns) row[column.name] = column.values[i];
     if (table.with_paper) row["published"] = paper_similarities[i];
     rows.push_back(std::move(row));
   }
-  return nlohmann::ordered_json{{"frames", rows}}.dump(2) + '\n';
+  return output_text(json, true);
 }
 
 std::string to_text(const SimilarityTable& table) {
