@@ -12,6 +12,7 @@ void add_evaluate_command(CLI::App& app);
 void add_localize_command(CLI::App& app);
 void add_loops_command(CLI::App& app);
 void add_nodes_command(CLI::App& app);
+void add_similarity_command(CLI::App& app);
 void add_trajectory_command(CLI::App& app);
 
 }  // namespace program

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   program::add_localize_command(app);
   program::add_loops_command(app);
   program::add_nodes_command(app);
+  program::add_similarity_command(app);
   program::add_trajectory_command(app);
   try {
     app.parse(argc, argv);

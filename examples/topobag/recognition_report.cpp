@@ -2,20 +2,17 @@
 #include "recognition_report.hpp"
 
 #include <array>
-#include <cmath>
 #include <iomanip>
 #include <map>
 #include <set>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
 #include <topobag/types/class_catalog.hpp>
+
+#include "json_output.hpp"
 
 namespace program {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const char* to_string(topobag::PoseVerdict verdict) {
   switch (verdict) {
@@ -34,10 +31,6 @@ std::array<double, 7> pose_numbers(const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d t = pose.translation();
   const Eigen::Quaterniond q(pose.linear());
   return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
-}
-
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
 }
 
 Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCatalog& catalog) {
@@ -110,14 +103,14 @@ std::string to_json(const RecognitionRun& run) {
             {"imprecise", summary.imprecise},
             {"wrong", summary.wrong},
             {"unscored", summary.unscored},
-            {"median_translation_error_m", number_or_null(summary.median_translation_error_m)},
-            {"median_rotation_error_deg", number_or_null(summary.median_rotation_error_deg)},
-            {"median_query_ms", number_or_null(summary.median_query_ms)},
+            {"median_translation_error_m", or_null(summary.median_translation_error_m)},
+            {"median_rotation_error_deg", or_null(summary.median_rotation_error_deg)},
+            {"median_query_ms", or_null(summary.median_query_ms)},
             {"matches", Json::array()}};
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
     if (run.look_ups[i].recognition) json["matches"].push_back(match_json(run, i, catalog));
   }
-  return json.dump(2) + '\n';
+  return output_text(json, true);
 }
 
 std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limits) {

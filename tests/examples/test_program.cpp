@@ -5,21 +5,6 @@
 #include "catch.hpp"
 #include "run_program.hpp"
 
-namespace {
-
-/// Exit code 2, nothing on stdout and one line on stderr, which is returned.
-std::string refusal(const std::string& arguments) {
-  CAPTURE(arguments);
-  const ProgramRun run = run_program(arguments);
-  CHECK(run.exit_code == 2);
-  CHECK(run.out.empty());
-  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
-  REQUIRE(run.err.find("topobag: ") == 0);
-  return run.err.substr(9, run.err.size() - 10);
-}
-
-}  // namespace
-
 TEST_CASE("the program helps", "[examples]") {
   const ProgramRun help = run_program("--help");
   CHECK(help.exit_code == 0);

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <vector>
+
+#include <topobag/edges/delaunay_edges2.hpp>
+
+#include "catch.hpp"
+#include "keyframe_graphs.hpp"
+#include "sample.hpp"
+#include "scratch.hpp"
+
+using namespace program;
+
+namespace {
+
+const topobag::PinholeCamera<> camera{500.0, 500.0, 319.5, 239.5, 640, 480};
+
+/// Frames at the given times, each of which sees one cup 2 m before it.
+NodeTable table_at(const std::vector<double>& stamps) {
+  NodeTable table;
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    FrameRow frame;
+    frame.idx = static_cast<std::int64_t>(i);
+    frame.timestamp = stamps[i];
+    frame.T_world_camera = Eigen::Isometry3d::Identity();
+    frame.detections.push_back({topobag::box_around({320.0, 240.0}, 50, 50), topobag::ClassId{41}});
+    frame.detections.back().z = 2.0;
+    table.frames.push_back(std::move(frame));
+  }
+  return table;
+}
+
+std::vector<std::int64_t> selected(const std::vector<double>& stamps, double interval) {
+  std::vector<std::int64_t> numbers;
+  for (const Keyframe& keyframe : keyframe_graphs(table_at(stamps), {camera, interval, 0.0, 0.3})) {
+    numbers.push_back(keyframe.idx);
+  }
+  return numbers;
+}
+
+using Numbers = std::vector<std::int64_t>;
+
+}  // namespace
+
+TEST_CASE("a key frame is the first frame at or after its time, once", "[examples]") {
+  CHECK(selected({5.0, 5.1, 5.2, 5.3, 5.4, 5.5}, 0.2) == Numbers{0, 2, 4});
+  CHECK(selected({5.0, 5.1, 5.3, 5.4, 5.7}, 0.2) == Numbers{0, 2, 3, 4});
+  CHECK(selected({5.0, 9.0, 9.1, 9.25}, 0.2) == Numbers{0, 1, 3});  // 9.0 serves k = 1 … 20
+  CHECK(selected({5.0, 5.0, 5.1}, 0.0) == Numbers{0, 1, 2});
+  CHECK(selected({5.0, 5.0, 5.1}, 0.05) == Numbers{0, 2});
+  CHECK(selected({0.0, 0.4, 0.8, 1.2, 1.6, 2.0}, 0.4) == Numbers{0, 1, 2, 3, 4, 5});
+  CHECK(selected({1305031102.1, 1305031102.5, 1305031102.9}, 0.4) == Numbers{0, 1, 2});
+  CHECK(selected({5.0, 6.0, 1e9}, 1e-12) == Numbers{0, 1, 2});
+}
+
+TEST_CASE("a single frame's graph has the paper's edges and one view", "[examples]") {
+  const KeyframeOptions options{camera, 0.0, 0.0, 0.3};
+  const NodeTable table = read_node_table(sample_map);
+  const std::vector<Keyframe> keyframes = keyframe_graphs(table, options);
+  REQUIRE(keyframes.size() == table.frames.size());
+  for (const Keyframe& keyframe : keyframes) {
+    CHECK(keyframe.graph.edges() == topobag::DelaunayEdges2<>{}(keyframe.graph.nodes()));
+    REQUIRE(keyframe.graph.views().size() == 1);
+    CHECK(keyframe.graph.views()[0].camera.width == 640);
+  }
+}
+
+TEST_CASE("people and things without a depth occlude, rooms and doubtful boxes do not",
+          "[examples]") {
+  NodeTable table = table_at({0.0});
+  auto& detections = table.frames[0].detections;
+  detections.push_back({topobag::box_around({100, 100}, 80, 80), topobag::ClassId{0}, 0.5, 0.0});
+  detections.push_back({topobag::box_around({100, 100}, 80, 80), topobag::ClassId{0}, 0.2, 1.0});
+  detections.push_back({topobag::box_around({320, 240}, 600, 400), topobag::ClassId{60}, 0.9, 1.0});
+  const auto keyframes = keyframe_graphs(table, {camera, 0.0, 0.0, 0.3});
+  const auto& occluders = keyframes[0].graph.views()[0].occluders;
+  REQUIRE(occluders.size() == 2);
+  CHECK(occluders[0].z == 2.0);
+  CHECK(occluders[1].z == 0.0);
+  CHECK(occluders[1].box.x1 == 60.0);
+}
+
+TEST_CASE("a window fuses the key frames of its length, both ends included", "[examples]") {
+  const auto keyframes =
+      keyframe_graphs(table_at({0.0, 1.0, 2.0, 3.0, 4.0}), {camera, 0, 2.0, 0.3});
+  REQUIRE(keyframes.size() == 5);
+  CHECK(keyframes[0].graph.views().size() == 1);
+  CHECK(keyframes[1].graph.views().size() == 2);
+  for (std::size_t i = 2; i < 5; ++i) CHECK(keyframes[i].graph.views().size() == 3);
+  CHECK(keyframes[4].graph.size() == 1);
+}
+
+TEST_CASE("a graph does not know where in the world it is", "[examples]") {
+  NodeTable table = read_node_table(sample_query);
+  const KeyframeOptions options{camera, 0.4, 3.0, 0.3};
+  const std::vector<Keyframe> before = keyframe_graphs(table, options);
+  const Eigen::Isometry3d elsewhere =
+      Eigen::Translation3d(30.0, -20.0, 10.0) * Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX());
+  for (FrameRow& frame : table.frames) *frame.T_world_camera = elsewhere * *frame.T_world_camera;
+  const std::vector<Keyframe> after = keyframe_graphs(table, options);
+  REQUIRE(before.size() == after.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    REQUIRE(before[i].graph.size() == after[i].graph.size());
+    for (std::size_t n = 0; n < before[i].graph.size(); ++n) {
+      CHECK(
+          before[i].graph.nodes()[n].position->isApprox(*after[i].graph.nodes()[n].position, 1e-9));
+    }
+  }
+}
+
+TEST_CASE("a window without poses is refused, single frames need none", "[examples]") {
+  NodeTable table = table_at({0.0, 1.0, 2.0});
+  table.frames[1].T_world_camera.reset();
+  const ScratchFolder folder;
+  CHECK(error_in(folder, [&] {
+          keyframe_graphs(table, {camera, 0.0, 2.0, 0.3});
+        }) == "frame idx 1 has no pose, which a window needs; give --window 0");
+  CHECK(keyframe_graphs(table, {camera, 0.0, 0.0, 0.3}).size() == 3);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "node_table.hpp"
+#include "run_program.hpp"
+#include "sample.hpp"
+
+namespace {
+
+nlohmann::json loops(const std::string& options) {
+  const ProgramRun run =
+      run_program("loops --nodes " + sample_map + sample_options + " --json " + options);
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  return nlohmann::json::parse(run.out);
+}
+
+}  // namespace
+
+TEST_CASE("a loop goes to a key frame that is at least the gap older", "[examples]") {
+  std::map<std::int64_t, double> stamps;
+  for (const auto& frame : program::read_node_table(sample_map).frames) {
+    stamps[frame.idx] = frame.timestamp;
+  }
+  for (const double gap : {5.0, 15.0}) {
+    const auto report = loops("--min-gap " + std::to_string(gap));
+    CHECK(report.at("keyframes") == 67);
+    CHECK(report.at("accepted") > 0);
+    CHECK(report.at("wrong") == 0);
+    for (const auto& match : report.at("matches")) {
+      CHECK(stamps.at(match.at("query_idx")) - stamps.at(match.at("map_idx")) >= gap);
+    }
+    for (const auto& [idx, stamp] : stamps) {
+      if (stamp - stamps.begin()->second >= gap) continue;
+      for (const auto& match : report.at("matches")) CHECK(match.at("query_idx") != idx);
+    }
+  }
+}
+
+TEST_CASE("a gap longer than the sequence leaves no query", "[examples]") {
+  const auto report = loops("--min-gap 1000");
+  CHECK(report.at("queries") == 0);
+  CHECK(report.at("accepted") == 0);
+  CHECK(report.at("median_query_ms").is_null());
+  CHECK(report.at("matches").empty());
+}
+
+TEST_CASE("a bad gap ends loops with one line", "[examples]") {
+  refusal("loops --nodes a --camera 5,5,3,2 --min-gap -1");
+  refusal("loops --nodes a --camera 5,5,3,2 --min-gap nan");
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "catch.hpp"
+#include "recognition_run.hpp"
+
+using namespace program;
+using topobag::PoseVerdict;
+
+namespace {
+
+Keyframe keyframe_at(std::optional<double> x) {
+  Keyframe keyframe;
+  if (x) keyframe.T_world_camera = Eigen::Isometry3d(Eigen::Translation3d(*x, 0.0, 0.0));
+  return keyframe;
+}
+
+/// A look-up that took `milliseconds` and accepted map key frame 0 at `x` m from it.
+LookUp accepted_at(double x, double milliseconds) {
+  LookUp look_up;
+  topobag::CandidateReport report;
+  report.pose = topobag::RelativePose{};
+  report.pose->T_candidate_query = Eigen::Translation3d(x, 0.0, 0.0);
+  look_up.recognition = {report, {report}, true};
+  look_up.milliseconds = milliseconds;
+  return look_up;
+}
+
+LookUp rejected(bool usable, bool with_candidate) {
+  LookUp look_up;
+  look_up.recognition.usable = usable;
+  if (with_candidate) look_up.recognition.candidates.emplace_back();
+  look_up.milliseconds = 100.0;
+  return look_up;
+}
+
+/// Four queries at 1 m from the map's key frame, matched at 1.1, 1.5, 3 and 1 m (the last without
+/// a true pose), and three that are not accepted.
+RecognitionRun sample_run() {
+  RecognitionRun run;
+  run.map = {keyframe_at(10.0)};
+  run.look_ups = {accepted_at(1.1, 1),   accepted_at(1.5, 2),  accepted_at(3.0, 3),
+                  accepted_at(1.0, 4),   rejected(true, true), rejected(true, false),
+                  rejected(false, false)};
+  run.queries.assign(run.look_ups.size(), keyframe_at(11.0));
+  run.queries[3] = keyframe_at(std::nullopt);
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("accepted matches are scored on three levels", "[examples]") {
+  RecognitionRun run = sample_run();
+  score(run, {});
+  CHECK(run.look_ups[0].verdict == PoseVerdict::correct);
+  CHECK(run.look_ups[1].verdict == PoseVerdict::imprecise);
+  CHECK(run.look_ups[2].verdict == PoseVerdict::wrong);
+  CHECK_FALSE(run.look_ups[3].verdict);
+  CHECK_FALSE(run.look_ups[4].verdict);
+  const RunSummary summary = summarize(run);
+  CHECK(summary.queries == 5);
+  CHECK(summary.accepted == 4);
+  CHECK(summary.correct == 1);
+  CHECK(summary.imprecise == 1);
+  CHECK(summary.wrong == 1);
+  CHECK(summary.unscored == 1);
+  CHECK(*summary.median_translation_error_m == Approx(0.5));
+  CHECK(*summary.median_rotation_error_deg == 0.0);
+  CHECK(*summary.median_query_ms == 3.0);
+}
+
+TEST_CASE("the limits of the scoring are the user's", "[examples]") {
+  RecognitionRun run = sample_run();
+  Scoring scoring;
+  scoring.limits.correct_translation_m = 0.6;
+  scoring.limits.wrong_translation_m = 2.5;
+  score(run, scoring);
+  CHECK(summarize(run).correct == 2);
+  CHECK(summarize(run).wrong == 0);
+}
+
+TEST_CASE("between different places every accepted match is wrong, and has no error",
+          "[examples]") {
+  RecognitionRun run = sample_run();
+  score(run, {{}, true});
+  const RunSummary summary = summarize(run);
+  CHECK(summary.wrong == 4);
+  CHECK(summary.accepted == 4);
+  CHECK_FALSE(summary.median_translation_error_m);
+}
+
+TEST_CASE("an even number of values has the mean of the middle two as median", "[examples]") {
+  RecognitionRun run = sample_run();
+  run.look_ups.resize(4);
+  CHECK(*summarize(run).median_query_ms == 2.5);
+  run.look_ups.clear();
+  CHECK_FALSE(summarize(run).median_query_ms);
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <random>
+
+#include <topobag/recognition/loop_detector.hpp>
+
+#include "catch.hpp"
+#include "synthetic_room.hpp"
+
+using namespace topobag;
+
+TEST_CASE("a loop is never younger than the least gap", "[recognition]") {
+  std::mt19937 random(1);
+  const SyntheticRoom room(1, 8, 8);  // the camera never leaves: only the gap keeps it from loops
+  LoopOptions options;
+  options.min_gap = 10.0;
+  LoopDetector<> loops(options);
+  for (unsigned i = 0; i < 30; ++i) {
+    const Recognition loop =
+        loops.detect_and_add(KeyframeId{i}, i, room.seen_from(random_camera(random)));
+    CAPTURE(i);
+    for (const CandidateReport& report : loop.candidates) CHECK(value(report.id) + 10 <= i);
+    CHECK(loop.candidates.size() == (i < 10 ? 0u : i - 9u));
+    CHECK(loop.accepted.has_value() == (i >= 10));
+  }
+  CHECK(loops.bag().size() == 30);
+}
+
+TEST_CASE("detect adds nothing, detect_and_add keeps stamp and info", "[recognition]") {
+  const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  LoopDetector<> loops;
+  loops.detect(1.0, graph);
+  CHECK(loops.bag().empty());
+  EntryInfo info;
+  info.session = 3;
+  loops.detect_and_add(KeyframeId{5}, 2.0, graph, info);
+  REQUIRE(loops.bag().info(KeyframeId{5}));
+  CHECK(loops.bag().info(KeyframeId{5})->stamp == 2.0);
+  CHECK(loops.bag().info(KeyframeId{5})->session == 3);
+}
+
+TEST_CASE("an entry without a stamp is no earlier visit", "[recognition]") {
+  const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  LoopDetector<> loops;
+  loops.bag().add(KeyframeId{1}, graph);
+  CHECK(loops.detect(1000.0, graph).candidates.empty());
+}
+
+TEST_CASE("the user's filter holds beside the gap", "[recognition]") {
+  const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  LoopOptions options;
+  options.recognition.retrieval.filter = [](KeyframeId id, const EntryInfo&) {
+    return id != KeyframeId{1};
+  };
+  LoopDetector<> loops(options);
+  loops.detect_and_add(KeyframeId{1}, 0.0, graph);
+  CHECK(loops.detect(100.0, graph).candidates.empty());
+  loops.detect_and_add(KeyframeId{2}, 0.0, graph);
+  CHECK(loops.detect(100.0, graph).accepted->id == KeyframeId{2});
+}
+
+TEST_CASE("a key frame that is refused leaves the bag as it was", "[recognition]") {
+  const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  LoopDetector<> loops;
+  loops.detect_and_add(KeyframeId{1}, 0.0, graph);
+  CHECK_THROWS_AS(loops.detect_and_add(KeyframeId{1}, 50.0, graph), InvalidId);
+  CHECK_THROWS_AS(loops.detect_and_add(KeyframeId{2}, std::nan(""), graph), InvalidValue);
+  CHECK(loops.bag().size() == 1);
+  CHECK(loops.bag().info(KeyframeId{1})->stamp == 0.0);
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <random>
+
+#include <topobag/evaluation/pose_error.hpp>
+#include <topobag/recognition/relocalizer.hpp>
+
+#include "catch.hpp"
+#include "random_graphs.hpp"
+#include "synthetic_room.hpp"
+
+using namespace topobag;
+
+TEST_CASE("a camera is found in the room it is in, at its pose", "[recognition]") {
+  std::mt19937 random(1);
+  Relocalizer<> relocalizer;
+  std::vector<SyntheticRoom> rooms;
+  std::vector<Eigen::Isometry3d> cameras;
+  for (unsigned i = 0; i < 12; ++i) {
+    rooms.emplace_back(i, 10, 6);
+    cameras.push_back(random_camera(random));
+    EntryInfo info;
+    info.T_world_camera = cameras[i];
+    relocalizer.map().add(KeyframeId{i}, rooms[i].seen_from(cameras[i]), info);
+  }
+  for (unsigned i = 0; i < 12; ++i) {
+    const Eigen::Isometry3d T_room_query = random_camera(random);
+    const Recognition found = relocalizer.localize(rooms[i].seen_from(T_room_query));
+    CAPTURE(i);
+    REQUIRE(found);
+    CHECK(found.accepted->id == KeyframeId{i});
+    const PoseError relative =
+        pose_error(cameras[i].inverse() * T_room_query, found.accepted->pose->T_candidate_query);
+    CHECK(relative.translation_m < 1e-3);
+    CHECK(relative.rotation_deg < 0.1);
+    REQUIRE(relocalizer.T_world_query(found));
+    const PoseError world = pose_error(T_room_query, *relocalizer.T_world_query(found));
+    CHECK(world.translation_m < 1e-3);
+    CHECK(world.rotation_deg < 0.1);
+  }
+}
+
+TEST_CASE("a camera in a room that is not in the map is not found", "[recognition]") {
+  std::mt19937 random(2);
+  Relocalizer<> relocalizer;
+  for (unsigned i = 0; i < 12; ++i) {
+    relocalizer.map().add(KeyframeId{i}, SyntheticRoom(i, 8, 6).seen_from(random_camera(random)));
+  }
+  for (unsigned i = 0; i < 12; ++i) {
+    const Recognition found =
+        relocalizer.localize(SyntheticRoom(1000 + i, 8, 6).seen_from(random_camera(random)));
+    CAPTURE(i);
+    CHECK_FALSE(found);
+    CHECK(found.usable);
+    CHECK(found.candidates.size() == 12);
+    CHECK_FALSE(relocalizer.T_world_query(found));
+  }
+}
+
+TEST_CASE("the answer does not depend on the order of nodes or of entries", "[recognition]") {
+  std::mt19937 random(4);
+  const SyntheticRoom room(7, 9, 4);
+  const TopologyGraph<> a = room.seen_from(random_camera(random));
+  const TopologyGraph<> b = room.seen_from(random_camera(random));
+  const TopologyGraph<> query = room.seen_from(random_camera(random));
+  Relocalizer<> forth, back;
+  forth.map().add(KeyframeId{1}, a);
+  forth.map().add(KeyframeId{2}, b);
+  back.map().add(KeyframeId{2}, b);
+  back.map().add(KeyframeId{1}, a);
+  const Recognition one = forth.localize(query);
+  REQUIRE(one);
+  const Recognition two = back.localize(query);
+  CHECK(two.accepted->id == one.accepted->id);
+  CHECK(two.accepted->pose->T_candidate_query.matrix() ==
+        one.accepted->pose->T_candidate_query.matrix());
+  const Recognition three = forth.localize(permuted(query, random_order(random, query.size())));
+  REQUIRE(three);
+  CHECK(three.accepted->pose->T_candidate_query.isApprox(one.accepted->pose->T_candidate_query,
+                                                         1e-6));
+}
+
+TEST_CASE("at most max_candidates are matched, whatever max_results says", "[recognition]") {
+  std::mt19937 random(5);
+  RecognitionOptions options;
+  options.max_candidates = 3;
+  options.retrieval.max_results = 1;
+  Relocalizer<> relocalizer(options);
+  const SyntheticRoom room(1, 8, 8);
+  for (unsigned i = 0; i < 6; ++i) {
+    relocalizer.map().add(KeyframeId{i}, room.seen_from(random_camera(random)));
+  }
+  CHECK(relocalizer.localize(room.seen_from(random_camera(random))).candidates.size() == 3);
+}
+
+TEST_CASE("without a pose in the map there is none in the world", "[recognition]") {
+  std::mt19937 random(6);
+  Relocalizer<> relocalizer;
+  const SyntheticRoom room(1, 8, 8);
+  relocalizer.map().add(KeyframeId{1}, room.seen_from(random_camera(random)));
+  const Recognition found = relocalizer.localize(room.seen_from(random_camera(random)));
+  REQUIRE(found);
+  CHECK_FALSE(relocalizer.T_world_query(found));
+}
+
+TEST_CASE("an empty map and an empty query are answered with nothing", "[recognition]") {
+  Relocalizer<> relocalizer;
+  const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  const Recognition none = relocalizer.localize(graph);
+  CHECK_FALSE(none);
+  CHECK(none.usable);
+  relocalizer.map().add(KeyframeId{1}, graph);
+  CHECK_FALSE(relocalizer.localize(TopologyGraph<>{}).usable);
+}

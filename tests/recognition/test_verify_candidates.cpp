@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/evaluation/pose_error.hpp>
+#include <topobag/recognition/verify_candidates.hpp>
+
+#include "catch.hpp"
+#include "synthetic_room.hpp"
+
+using namespace topobag;
+
+namespace {
+
+const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+
+std::vector<Candidate> all_of(const BagOfTopologyGraphs<>& bag, const TopologyGraph<>& query) {
+  QueryOptions options;
+  options.max_results = bag.size();
+  return bag.query(query, options);
+}
+
+/// Three objects on a line and two more of other classes on it.
+TopologyGraph<> line_graph() {
+  std::vector<SemanticNode<>> nodes;
+  for (int i = 0; i < 5; ++i) {
+    SemanticNode<> node;
+    node.label = ClassId{i};
+    node.position = Eigen::Vector3d(0.5 * i * i, 0.0, 3.0);
+    node.size = {0.2, 0.2};
+    node.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+    nodes.push_back(node);
+  }
+  return make_topology_graph(std::move(nodes), KnnEdges{});
+}
+
+}  // namespace
+
+TEST_CASE("a query of two objects is not usable and gets no reports", "[recognition]") {
+  const SyntheticRoom room(1, 8, 8);
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{1}, room.seen_from(origin));
+  const TopologyGraph<> two = SyntheticRoom(1, 2, 8).seen_from(origin);
+  const Recognition recognition = verify_candidates(bag, two, all_of(bag, two));
+  CHECK_FALSE(recognition.usable);
+  CHECK_FALSE(recognition);
+  CHECK(recognition.candidates.empty());
+}
+
+TEST_CASE("of several good candidates the best is accepted and the rest outdone", "[recognition]") {
+  std::mt19937 random(3);
+  const SyntheticRoom room(2, 9, 6);
+  BagOfTopologyGraphs<> bag;
+  for (std::uint64_t id = 0; id < 4; ++id) {
+    bag.add(KeyframeId{id}, room.seen_from(random_camera(random)));
+  }
+  const TopologyGraph<> query = room.seen_from(random_camera(random));
+  const Recognition recognition = verify_candidates(bag, query, all_of(bag, query));
+  REQUIRE(recognition);
+  REQUIRE(recognition.candidates.size() == 4);
+  CHECK(std::is_sorted(recognition.candidates.begin(), recognition.candidates.end(),
+                       [](const auto& a, const auto& b) { return a.margin() > b.margin(); }));
+  CHECK(recognition.accepted->id == recognition.candidates.front().id);
+  CHECK(recognition.candidates.front().verdict == Verdict::accepted);
+  for (std::size_t i = 1; i < 4; ++i) {
+    CHECK(recognition.candidates[i].verdict == Verdict::outdone);
+  }
+}
+
+TEST_CASE("equal candidates go to the smaller id", "[recognition]") {
+  const TopologyGraph<> graph = SyntheticRoom(5, 8, 8).seen_from(origin);
+  BagOfTopologyGraphs<> bag;
+  for (const std::uint64_t id : {9u, 4u, 6u}) bag.add(KeyframeId{id}, graph);
+  const Recognition recognition = verify_candidates(
+      bag, graph, {{KeyframeId{9}, 1.0}, {KeyframeId{6}, 1.0}, {KeyframeId{4}, 1.0}});
+  REQUIRE(recognition);
+  CHECK(recognition.accepted->id == KeyframeId{4});
+  CHECK(recognition.candidates[1].id == KeyframeId{6});
+}
+
+TEST_CASE("a candidate that has left the bag is passed over", "[recognition]") {
+  const TopologyGraph<> graph = SyntheticRoom(5, 8, 8).seen_from(origin);
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{4}, graph);
+  const Recognition recognition =
+      verify_candidates(bag, graph, {{KeyframeId{3}, 1.0}, {KeyframeId{4}, 0.5}});
+  REQUIRE(recognition.candidates.size() == 1);
+  CHECK(recognition.candidates[0].id == KeyframeId{4});
+  CHECK(recognition.candidates[0].similarity == 0.5);
+}
+
+TEST_CASE("objects on one line leave the pose open", "[recognition]") {
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{0}, line_graph());
+  const Recognition recognition = verify_candidates(bag, line_graph(), {{KeyframeId{0}, 1.0}});
+  CHECK_FALSE(recognition);
+  REQUIRE(recognition.candidates.size() == 1);
+  CHECK(recognition.candidates[0].verdict == Verdict::degenerate);
+}
+
+TEST_CASE("no object of a common class, no agreement", "[recognition]") {
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{0}, line_graph());
+  std::vector<SemanticNode<>> others = line_graph().nodes();
+  for (SemanticNode<>& node : others) node.label = ClassId{value(node.label) + 50};
+  const TopologyGraph<> query(std::move(others));
+  const Recognition recognition = verify_candidates(bag, query, {{KeyframeId{0}, 0.0}});
+  REQUIRE(recognition.candidates.size() == 1);
+  CHECK(recognition.candidates[0].verdict == Verdict::no_agreement);
+  CHECK_FALSE(recognition.candidates[0].pose);
+}
+
+TEST_CASE("a square of equal objects fits four ways and is ambiguous", "[recognition]") {
+  std::vector<SemanticNode<>> nodes;
+  for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, -1),
+                                        Eigen::Vector2d(1, 1), Eigen::Vector2d(-1, 1)}) {
+    SemanticNode<> node;
+    node.label = ClassId{5};
+    node.position = Eigen::Vector3d(corner.x(), corner.y(), 3.0);
+    node.size = {0.2, 0.2};
+    node.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+    nodes.push_back(node);
+  }
+  const TopologyGraph<> square(std::move(nodes));
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{0}, square);
+  DecisionOptions decision;
+  decision.min_score = -100.0;  // the symmetry alone decides
+  const Recognition recognition =
+      verify_candidates(bag, square, {{KeyframeId{0}, 1.0}}, MatchOptions{}, decision);
+  REQUIRE(recognition.candidates.size() == 1);
+  CHECK(recognition.candidates[0].other_poses.size() >= 3);
+  CHECK(recognition.candidates[0].verdict == Verdict::ambiguous);
+  CHECK_FALSE(recognition);
+}
+
+TEST_CASE("a match below the asked score may be chance", "[recognition]") {
+  const TopologyGraph<> graph = SyntheticRoom(5, 8, 8).seen_from(origin);
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{0}, graph);
+  DecisionOptions strict;
+  strict.min_score = 1e6;
+  const Recognition recognition =
+      verify_candidates(bag, graph, {{KeyframeId{0}, 1.0}}, MatchOptions{}, strict);
+  REQUIRE(recognition.candidates.size() == 1);
+  CHECK(recognition.candidates[0].verdict == Verdict::chance);
+  CHECK(recognition.candidates[0].threshold == 1e6);
+  CHECK(recognition.candidates[0].margin() < 0.0);
+}
+
+TEST_CASE("the matched objects, counted by class, are the inliers", "[recognition]") {
+  std::mt19937 random(11);
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const SyntheticRoom room(seed, 9, 4);
+    const TopologyGraph<> query = room.seen_from(random_camera(random));
+    BagOfTopologyGraphs<> bag;
+    bag.add(KeyframeId{0}, room.seen_from(random_camera(random)));
+    bag.add(KeyframeId{1}, SyntheticRoom(seed + 100, 9, 4).seen_from(origin));
+    for (const CandidateReport& report :
+         verify_candidates(bag, query, all_of(bag, query)).candidates) {
+      std::map<ClassId, std::size_t> counted;
+      if (report.pose) {
+        for (const Correspondence& pair : report.pose->inliers) {
+          ++counted[query.node(pair.query).label];
+        }
+      }
+      CHECK(report.matched == counted);
+      CHECK((report.pose || report.verdict == Verdict::no_agreement));
+    }
+  }
+}
