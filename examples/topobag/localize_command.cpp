@@ -37,7 +37,7 @@ void localize(const LocalizeArguments& arguments) {
                      read_keyframes(arguments.map, map_options),
                      read_keyframes(arguments.query, query_options),
                      {}};
-  topobag::Relocalizer<> relocalizer;
+  topobag::Relocalizer<> relocalizer(table_recognition_options());
   for (std::size_t i = 0; i < run.map.size(); ++i) {
     if (!run.map[i].graph.is_matchable()) continue;
     relocalizer.map().add(topobag::KeyframeId{i}, run.map[i].graph);

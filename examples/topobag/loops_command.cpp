@@ -28,7 +28,9 @@ void find_loops(const LoopsArguments& arguments) {
   RecognitionRun run;
   run.map_set = run.query_set = arguments.nodes;
   run.map = run.queries = read_keyframes(arguments.nodes, keyframe_options);
-  topobag::LoopDetector<> loops(arguments.options);
+  topobag::LoopOptions options = arguments.options;
+  options.recognition = table_recognition_options();
+  topobag::LoopDetector<> loops(options);
   for (std::size_t i = 0; i < run.queries.size(); ++i) {
     const Keyframe& query = run.queries[i];
     const Stopwatch watch;

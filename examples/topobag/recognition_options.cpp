@@ -36,6 +36,13 @@ void add_recognition_options(CLI::App& command, RecognitionArguments& arguments)
   command.add_flag("--verbose", arguments.verbose, "A line for each key frame")->excludes("--json");
 }
 
+topobag::RecognitionOptions table_recognition_options() {
+  topobag::RecognitionOptions options;
+  options.matching.consistency.classes =
+      topobag::lookalike_classes(topobag::ClassCatalog::coco80());
+  return options;
+}
+
 void require_order(const topobag::PoseLimits& limits) {
   if (limits.wrong_translation_m < limits.correct_translation_m) {
     throw InputError("--wrong-translation", "wrong begins below where correct ends");

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <topobag/recognition/relocalizer.hpp>
+
 #include "camera_option.hpp"
 #include "keyframe_graphs.hpp"
 #include "recognition_run.hpp"
@@ -20,6 +22,9 @@ struct RecognitionArguments {
 
 /// Adds `--camera`, the key frames' options, the limits of the scoring and the forms of the report.
 void add_recognition_options(CLI::App& command, RecognitionArguments& arguments);
+
+/// The library's defaults, for the classes of a node table.
+topobag::RecognitionOptions table_recognition_options();
 
 /// Throws InputError where a match would be correct and wrong at once.
 void require_order(const topobag::PoseLimits& limits);

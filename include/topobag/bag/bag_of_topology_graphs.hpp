@@ -20,25 +20,29 @@
 namespace topobag {
 inline namespace v0 {
 
-/// The paper's bag of topology graphs: one graph per key frame, asked for those that resemble a query.
+/// The paper's bag of topology graphs: one graph per key frame, asked for those that resemble a
+/// query.
 ///
-/// A query compares every entry (brute force); a similarity with a `descriptor` has it worked out once, at `add`.
-/// Results do not depend on the order in which entries came.
-template <typename Graph_ = TopologyGraph<double>, typename Similarity_ = ClassPairDistanceHistogram>
+/// A query compares every entry (brute force); a similarity with a `descriptor` has it worked out
+/// once, at `add`. Results do not depend on the order in which entries came.
+template <typename Graph_ = TopologyGraph<double>,
+          typename Similarity_ = ClassPairDistanceHistogram>
 class BagOfTopologyGraphs {
  public:
   using Graph = Graph_;
   using Similarity = Similarity_;
-  static_assert(is_similarity_v<Similarity, Graph>,
-                "topobag: a similarity is callable as similarity(graph, graph) -> double in [0, 1].");
+  static_assert(
+      is_similarity_v<Similarity, Graph>,
+      "topobag: a similarity is callable as similarity(graph, graph) -> double in [0, 1].");
 
   explicit BagOfTopologyGraphs(Similarity similarity = {}) : similarity_(std::move(similarity)) {}
 
-  /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue for an entry
-  /// that is not finite. O(log n + descriptor).
+  /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
+  /// for an entry that is not finite. O(log n + descriptor).
   void add(KeyframeId id, Graph graph, EntryInfo info = {}) {
     if (contains(id)) {
-      throw InvalidId("key frame " + std::to_string(value(id)) + " is in the bag already: use update");
+      throw InvalidId("key frame " + std::to_string(value(id)) +
+                      " is in the bag already: use update");
     }
     entries_.emplace(id, make_entry(std::move(graph), std::move(info)));
   }
@@ -85,7 +89,8 @@ class BagOfTopologyGraphs {
       if (score >= options.min_score) found.push_back({id, score});
     }
     const std::size_t kept = std::min(options.max_results, found.size());
-    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end());
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept),
+                      found.end());
     found.resize(kept);
     return found;
   }

@@ -16,10 +16,12 @@ inline namespace v0 {
 
 /// Key frames too near to the query to count as another visit.
 struct ExcludedNeighbors {
-  std::optional<KeyframeId> id;  ///< the query's; with it, ids less than `min_id_gap` away are left out
+  std::optional<KeyframeId>
+      id;  ///< the query's; with it, ids less than `min_id_gap` away are left out
   std::uint64_t min_id_gap = 1;
-  std::optional<double> stamp;   ///< the query's, s; with it, entries are left out that have no stamp or
-  double min_time_gap = 0.0;     ///< are less than this apart from it, s
+  std::optional<double>
+      stamp;  ///< the query's, s; with it, entries are left out that have no stamp or
+  double min_time_gap = 0.0;  ///< are less than this apart from it, s
 
   bool contains(KeyframeId entry, const EntryInfo& info) const {
     if (id) {
@@ -32,9 +34,10 @@ struct ExcludedNeighbors {
 
 struct QueryOptions {
   std::size_t max_results = 10;
-  double min_score = 0.0;     ///< similarity below which an entry is no candidate
+  double min_score = 0.0;  ///< similarity below which an entry is no candidate
   ExcludedNeighbors exclude;
-  std::function<bool(KeyframeId, const EntryInfo&)> filter;  ///< when set, only entries it returns true for
+  std::function<bool(KeyframeId, const EntryInfo&)>
+      filter;  ///< when set, only entries it returns true for
 };
 
 /// An entry of the bag that resembles the query.

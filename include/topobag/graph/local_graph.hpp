@@ -17,23 +17,22 @@
 #include <topobag/graph/object_track.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/graph/view.hpp>
+#include <topobag/sensing/node_noise.hpp>
+#include <topobag/sensing/same_object.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
 struct LocalGraphOptions {
-  double window = 3.0;  ///< s; views older than the newest by more are forgotten
-  double gate = 3.0;  ///< standard deviations within which a sighting joins an object of its class
-  double other_class_gate =
-      1.0;  ///< the same for another class: detectors waver between tv and laptop
-  double correlation =
-      0.5;  ///< share of a sighting's error that the object's other sightings repeat
-  double image_margin = 20.0;  ///< px from the border within which nothing need show
-  double max_depth = 8.0;      ///< m beyond which nothing need show
-  std::size_t single_expected = 2;
-  double merge_ratio = 1.7, merge_share = 0.3, merge_gate = 2.0;
-  double min_existence =
-      0.25;  ///< an object seen in less of the views that should show it is dropped
+  double window = 3.0;            ///< s; views older than the newest by more are forgotten
+  double gate = 3.0;              ///< σ within which a sighting joins an object of its class
+  double other_class_gate = 1.0;  ///< σ for another class: detectors waver between tv and laptop
+  SameObject merge{0.3};          ///< when two objects of whatever class are made one
+  double merge_gate = 2.0;        ///< σ for two of one class that no view shows together
+  double correlation = 0.5;       ///< share of a sighting's error that the others repeat
+  double image_margin = 20.0;     ///< px from the border within which nothing need show
+  double max_depth = 8.0;         ///< m beyond which nothing need show
+  double min_existence = 0.2;     ///< share of the views due to show an object that must have
 };
 
 /// Fuses the nodes of the last key frames into one flicker-proof graph in the newest key frame's
@@ -41,8 +40,8 @@ struct LocalGraphOptions {
 ///
 /// Detectors flicker: most consecutive frames differ in the classes found. Moved by the front end's
 /// own relative poses, sightings of one object fall together; each object carries its existence
-/// evidence, class votes, mean position with covariance, and size. An object seen once that should
-/// have been seen again is dropped.
+/// evidence, class votes, mean position with covariance, and size. An object seen in too few of
+/// the views that should have shown it is dropped.
 template <typename Scalar_ = double>
 class LocalGraph {
  public:
@@ -72,7 +71,7 @@ class LocalGraph {
     forget_before(stamp - options_.window);
     view.T_graph_camera.setIdentity();
     frames_.push_back({stamp, next_view_, std::move(view)});
-    associate(nodes);
+    associate(placed(nodes));
     merge_coincident();
     ++next_view_;
   }
@@ -94,11 +93,10 @@ class LocalGraph {
       Node node = track.fused(static_cast<Scalar>(options_.correlation));
       const auto [seen, expected] = evidence(track, *node.position);
       node.existence = static_cast<Scalar>(seen) / static_cast<Scalar>(expected);
-      if (static_cast<double>(node.existence) < options_.min_existence ||
-          (seen == 1 && expected > options_.single_expected))
-        continue;
+      if (static_cast<double>(node.existence) < options_.min_existence) continue;
       node.z = std::max(node.position->z(), Scalar(0));
-      node.pixel = frames_.back().view.camera.project(*node.position);
+      const PinholeCamera<Scalar>& camera = frames_.back().view.camera;
+      if (camera.fx > Scalar(0)) node.pixel = camera.project(*node.position);
       kept.emplace_back(track.id, std::move(node));
     }
     return kept;
@@ -139,6 +137,22 @@ class LocalGraph {
                   tracks_.end());
   }
 
+  /// The nodes with a position; one whose covariance is not modelled gets the default noise.
+  static std::vector<Node> placed(const std::vector<Node>& nodes) {
+    std::vector<Node> kept;
+    for (const Node& node : nodes) {
+      if (!node.position) continue;
+      kept.push_back(node);
+      if (node.covariance.isZero(0)) {
+        kept.back().covariance = NodeNoise{}
+                                     .covariance(node.position->template cast<double>(),
+                                                 node.size.template cast<double>(), false)
+                                     .template cast<Scalar>();
+      }
+    }
+    return kept;
+  }
+
   /// Gives each node to the nearest object within its gate, nearest pairs first; the rest found new
   /// objects.
   void associate(const std::vector<Node>& nodes) {
@@ -148,7 +162,6 @@ class LocalGraph {
     std::vector<std::tuple<Scalar, std::size_t, std::size_t>>
         offers;  // deviation in gates, node, track
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      if (!nodes[n].position) continue;
       for (std::size_t t = 0; t < estimates.size(); ++t) {
         const double gate =
             nodes[n].label == estimates[t].label ? options_.gate : options_.other_class_gate;
@@ -158,17 +171,17 @@ class LocalGraph {
       }
     }
     std::sort(offers.begin(), offers.end());
-    std::vector<bool> placed(nodes.size(), false), taken(estimates.size(), false);
+    std::vector<bool> given(nodes.size(), false), taken(estimates.size(), false);
     for (const auto& [deviation, n, t] : offers) {
-      if (placed[n]) continue;
+      if (given[n]) continue;
       // A second box on an object already seen in this frame is a duplicate when it lies well
       // inside the gate.
       if (taken[t] && deviation > Scalar(0.33)) continue;
       if (!taken[t]) tracks_[t].sightings.push_back({next_view_, nodes[n]});
-      placed[n] = taken[t] = true;
+      given[n] = taken[t] = true;
     }
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      if (placed[n] || !nodes[n].position) continue;
+      if (given[n]) continue;
       tracks_.push_back({ObjectId{next_id_++}, {{next_view_, nodes[n]}}});
     }
   }
@@ -199,11 +212,7 @@ class LocalGraph {
 
   bool coincide(const ObjectTrack<Scalar>& track_a, const Node& a,
                 const ObjectTrack<Scalar>& track_b, const Node& b) const {
-    const double size_a = static_cast<double>(a.size.norm()),
-                 size_b = static_cast<double>(b.size.norm());
-    if (std::max(size_a, size_b) > options_.merge_ratio * std::min(size_a, size_b)) return false;
-    const double distance = static_cast<double>((*a.position - *b.position).norm());
-    if (distance < options_.merge_share * std::min(size_a, size_b)) return true;
+    if (options_.merge(a, b)) return true;
     if (a.label != b.label) return false;
     for (const auto& s : track_a.sightings) {
       for (const auto& t : track_b.sightings) {

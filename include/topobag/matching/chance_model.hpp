@@ -8,98 +8,110 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
+#include <topobag/matching/refine_pose.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
-/// How probable a match is when the two places have nothing to do with each other.
+/// How many matches as good as this one chance would give between places that have nothing in
+/// common.
 ///
-/// A-contrario (Desolneux, Moisan, Morel 2000; for rigid point matches Moisan and Stival 2004): the
-/// expected number of false matches is the number of ways to choose the pairs times the probability
-/// that one such choice fits a rigid motion this well.
+/// A-contrario (Desolneux, Moisan, Morel 2000): the number of false matches to expect is the number
+/// of ways to choose the pairs times the probability that one choice fits so well. That probability
+/// is at most the inverse Bayes factor (Markov's inequality: under chance its mean is 1) of two
+/// models: each query object lies where the pose puts it, within the pair's covariance; or anywhere
+/// in the volume that the matched objects span. The pose is integrated out (Laplace), so a compact
+/// cluster, whose pose is loose and whose places are hardly a surprise, counts little.
 struct ChanceModel {
-  double min_residual = 0.04;  ///< m; a better fit than this is luck
-  double xl = 0.3;
-  double lw = 0, ls = 1;
-  double fill = 0.35;  ///< share of the cube of the graph's extent in which objects lie
+  double fill = 1.5;  ///< share of the cube of the matched objects' extent that is the volume
+  double min_extent = 0.10;  ///< m
+  double relabeling = 0.45;  ///< −log10 P of the label of a pair of two classes of one group
 
-  /// −log10 of the expected number of false matches with as many pairs and as small an `rms`
-  /// residual.
-  /// @param pairs  one-to-one, k >= 3, else the significance is 0
-  /// @param rms    residual of the rigid fit, m
-  /// O(n + k).
+  /// −log10 of the expected number of false matches. 0 for fewer than three pairs. O(n + k).
+  /// @param pairs   of nodes with positions, one-to-one
+  /// @param points  their positions and covariances, parallel to `pairs`
+  /// @param pose    fitted to `points`, with its covariance
   template <typename Scalar>
   double significance(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
-                      const std::vector<Correspondence>& pairs, double rms,
-                      const ClassGroups& classes = {}) const {
-    const std::size_t k = pairs.size();
-    if (k < 3) return 0.0;
+                      const std::vector<Correspondence>& pairs,
+                      const std::vector<PointPair>& points, const RefinedPose& pose,
+                      const ClassGroups& groups = {}) const {
+    if (pairs.size() < 3) return 0.0;
+    double significance =
+        log10_bayes_factor(points, pose) - log10_ways(candidate, query, pairs, groups);
+    for (const Correspondence& pair : pairs) {
+      if (candidate.node(pair.candidate).label != query.node(pair.query).label) {
+        significance -= relabeling;
+      }
+    }
+    return significance;
+  }
+
+  /// log10 P(places of the query objects | pose unknown, same place) / P(places | chance).
+  double log10_bayes_factor(const std::vector<PointPair>& points, const RefinedPose& pose) const {
+    const double log_two_pi = 1.8378770664093453;
+    const double log_volume = std::log(fill) + 3.0 * std::log(std::max(min_extent, extent(points)));
+    double log_factor = 0.0;
+    for (const PointPair& pair : points) {
+      const Eigen::Matrix3d covariance = pair.covariance(pose.T_target_source);
+      const double deviation2 = pair.squared_deviation(pose.T_target_source);
+      log_factor +=
+          log_volume - 0.5 * (deviation2 + 3.0 * log_two_pi + std::log(covariance.determinant()));
+    }
+    // The prior of the pose: anywhere in the volume, turned any way (8π²).
+    const double log_prior = -log_volume - std::log(78.95683520871486);
+    const double log_posterior_volume =
+        0.5 * (6.0 * log_two_pi + std::log(pose.covariance.determinant()));
+    return (log_factor + log_prior + log_posterior_volume) / std::log(10.0);
+  }
+
+  /// log10 of the number of ways to choose which same-group nodes pair up: per group with q of n
+  /// and m nodes, C(n, q) · C(m, q) · q! choices, and min(n, m) + 1 values that q may take.
+  template <typename Scalar>
+  static double log10_ways(const TopologyGraph<Scalar>& candidate,
+                           const TopologyGraph<Scalar>& query,
+                           const std::vector<Correspondence>& pairs, const ClassGroups& groups) {
     struct Counts {
       std::size_t candidate = 0, query = 0, matched = 0;
     };
     std::map<ClassId, Counts> counts;
     for (const auto& node : candidate.nodes()) {
-      if (node.position) ++counts[classes.group(node.label)].candidate;
+      if (node.position) ++counts[groups.group(node.label)].candidate;
     }
     for (const auto& node : query.nodes()) {
-      if (node.position) ++counts[classes.group(node.label)].query;
+      if (node.position) ++counts[groups.group(node.label)].query;
     }
-    for (const Correspondence& pair : pairs)
-      ++counts[classes.group(query.node(pair.query).label)].matched;
-
+    for (const Correspondence& pair : pairs) {
+      ++counts[groups.group(query.node(pair.query).label)].matched;
+    }
     double log_ways = 0.0;
-    std::size_t most = 0;
-    for (const auto& [label, c] : counts) {
-      most += std::min(c.candidate, c.query);
-      // Compatible classes may pair more nodes of a class than one graph has of it.
-      const std::size_t n1 = std::max(c.candidate, c.matched);
-      const std::size_t n2 = std::max(c.query, c.matched);
-      log_ways += log_choose(n1, c.matched) + log_choose(n2, c.matched) +
-                  std::lgamma(static_cast<double>(c.matched) + 1.0);
+    for (const auto& [group, c] : counts) {
+      log_ways += log_choose(c.candidate, c.matched) + log_choose(c.query, c.matched) +
+                  log_factorial(c.matched) +
+                  std::log(1.0 + static_cast<double>(std::min(c.candidate, c.query)));
     }
-    log_ways += log_choose(std::max(most, k), k);
-
-    std::vector<SemanticNode<Scalar>> mm;
-    for (auto& pr : pairs) mm.push_back(candidate.node(pr.candidate));
-    const double e1 = rms_extent(candidate.nodes()), e2 = rms_extent(mm);
-    const double extent =
-        std::max(2.0 * std::pow(e1, 1 - lw) * std::pow(ls * e2, lw), 4.0 * min_residual);
-    const double residual = std::max(rms, min_residual);
-    const double p_distance = std::min(1.0, 4.0 * residual / extent);
-    const double ball = 4.0 / 3.0 * 3.14159265358979 * std::pow(2.0 * residual, 3);
-    const double p_place = std::min(1.0, ball / (fill * std::pow(extent, 3)));
-    const double log_fit =
-        3.0 * std::log(p_distance) + static_cast<double>(k - 3) * std::log(p_place);
-    double cross = 0;
-    for (const Correspondence& pair : pairs)
-      if (query.node(pair.query).label != candidate.node(pair.candidate).label) cross += xl;
-    return -(log_ways + log_fit) / std::log(10.0) - cross;
+    return log_ways / std::log(10.0);
   }
 
  private:
+  static double log_factorial(std::size_t n) { return std::lgamma(static_cast<double>(n) + 1.0); }
   static double log_choose(std::size_t n, std::size_t k) {
-    const auto f = [](std::size_t x) { return std::lgamma(static_cast<double>(x) + 1.0); };
-    return f(n) - f(k) - f(n - k);
+    return log_factorial(n) - log_factorial(k) - log_factorial(n - k);
   }
 
-  /// Root mean square distance of the placed nodes from their centroid, m.
-  template <typename Scalar>
-  static double rms_extent(const std::vector<SemanticNode<Scalar>>& nodes) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double squares = 0.0, n = 0.0;
-    for (const auto& node : nodes) {
-      if (!node.position) continue;
-      const Eigen::Vector3d position = node.position->template cast<double>();
-      sum += position;
-      squares += position.squaredNorm();
-      n += 1.0;
-    }
-    if (n == 0.0) return 0.0;
-    return std::sqrt(std::max(0.0, squares / n - (sum / n).squaredNorm()));
+  /// Twice the root mean square distance of the targets from their centroid, m.
+  static double extent(const std::vector<PointPair>& points) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const PointPair& pair : points) mean += pair.target;
+    mean /= static_cast<double>(points.size());
+    double squares = 0.0;
+    for (const PointPair& pair : points) squares += (pair.target - mean).squaredNorm();
+    return 2.0 * std::sqrt(squares / static_cast<double>(points.size()));
   }
 };
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
+#include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -35,6 +37,15 @@ class ClassGroups {
  private:
   std::map<ClassId, ClassId> groups_;
 };
+
+/// The groups that detectors mix up on nearly every desk: tv and laptop, where the catalog has
+/// both.
+inline ClassGroups lookalike_classes(const ClassCatalog& catalog) {
+  ClassGroups groups;
+  const std::optional<ClassId> tv = catalog.find("tv"), laptop = catalog.find("laptop");
+  if (tv && laptop) groups.join(*tv, *laptop);
+  return groups;
+}
 
 }  // namespace v0
 }  // namespace topobag

@@ -24,7 +24,7 @@ struct ConsistencyOptions {
   double max_size_ratio = 3.0;  ///< between the diagonals of two objects; a cut box shrinks
   double deviations = 2.5;      ///< standard deviations that two distances may differ by
   double min_tolerance = 0.05;  ///< m, whatever the covariances say
-  double max_tolerance = 0.20;  ///< m
+  double max_tolerance = 0.40;  ///< m
   std::size_t max_pairs = 512;  ///< beyond it the classes with the most pairs are left out
 };
 

@@ -35,8 +35,10 @@ struct MatchOptions {
       64;  ///< cliques whose pose is worked out, largest and tightest first
   double inlier_deviations =
       3.0;  ///< standard deviations (of a 3-D residual) within which a pair supports a pose
-  double max_residual = 0.20;  ///< m; beyond it a pair supports no pose
+  double max_residual = 0.40;  ///< m; beyond it a pair supports no pose
   double min_spread = 0.05;    ///< m; inliers nearer to one line leave the rotation about it open
+  double max_rotation_deviation =
+      0.31;  ///< rad; a pose less certain about its worst axis is degenerate
   double distinct_translation = 0.5;  ///< m; two poses further apart,
   double distinct_rotation = 0.5;     ///< rad; or turned by more, are different
 };
@@ -106,33 +108,41 @@ class PoseSearch {
             p.covariance.template cast<double>(), q.covariance.template cast<double>()};
   }
 
+  std::vector<PointPair> point_pairs(const std::vector<Correspondence>& pairs) const {
+    std::vector<PointPair> points;
+    points.reserve(pairs.size());
+    for (const Correspondence& pair : pairs) points.push_back(point_pair(pair));
+    return points;
+  }
+
   /// Fits the clique, then lets every pair that the pose brings together join, and refines over all
   /// of them.
   RelativePose pose_of(const std::vector<Correspondence>& clique) const {
     RelativePose pose;
-    pose.T_candidate_query = fit(clique).T_target_source;
     pose.inliers = clique;
-    for (int round = 0; round < 3; ++round) {
-      std::vector<PointPair> points;
-      for (const Correspondence& pair : pose.inliers) points.push_back(point_pair(pair));
-      const RefinedPose refined = refine_pose(pose.T_candidate_query, points, options_.refine);
-      pose.T_candidate_query = refined.T_target_source;
-      pose.covariance = refined.covariance;
-      std::vector<Correspondence> supporters = supporters_of(pose.T_candidate_query);
+    RefinedPose refined{fit(clique).T_target_source, {}};
+    for (int round = 0; round < max_rounds; ++round) {
+      refined = refine_pose(refined.T_target_source, point_pairs(pose.inliers), options_.refine);
+      std::vector<Correspondence> supporters = supporters_of(refined.T_target_source);
       const bool settled = supporters == pose.inliers;
       pose.inliers = std::move(supporters);
       if (settled || pose.inliers.size() < 3) break;
     }
     if (pose.inliers.size() < 3) return pose;
+
+    const std::vector<PointPair> points = point_pairs(pose.inliers);
+    pose.T_candidate_query = refined.T_target_source;
+    pose.covariance = refined.covariance;
     double squares = 0.0;
-    for (const Correspondence& pair : pose.inliers) {
-      squares += point_pair(pair).residual(pose.T_candidate_query).squaredNorm();
+    for (const PointPair& pair : points) {
+      squares += pair.residual(pose.T_candidate_query).squaredNorm();
     }
-    pose.rms = std::sqrt(squares / static_cast<double>(pose.inliers.size()));
+    pose.rms = std::sqrt(squares / static_cast<double>(points.size()));
     pose.spread = fit(pose.inliers).spread;
-    pose.degenerate = pose.spread < options_.min_spread;
-    pose.significance = options_.chance.significance(candidate_, query_, pose.inliers, pose.rms,
-                                                     options_.consistency.classes);
+    pose.degenerate = pose.spread < options_.min_spread ||
+                      pose.rotation_deviation() > options_.max_rotation_deviation;
+    pose.significance = options_.chance.significance(candidate_, query_, pose.inliers, points,
+                                                     refined, options_.consistency.classes);
     pose.missing = options_.missing.find(candidate_, query_, pose.inliers, pose.T_candidate_query);
     for (const MissingObject& object : pose.missing) pose.missing_cost += object.cost;
     return pose;
@@ -179,6 +189,8 @@ class PoseSearch {
     return between.translation().norm() > options_.distinct_translation ||
            Eigen::AngleAxisd(between.linear()).angle() > options_.distinct_rotation;
   }
+
+  static constexpr int max_rounds = 3;  // inliers rarely change after the second
 
   const TopologyGraph<Scalar>& candidate_;
   const TopologyGraph<Scalar>& query_;

@@ -16,28 +16,23 @@ inline namespace v0 {
 
 /// An object of one graph that a camera of the other should have seen, and did not.
 struct MissingObject {
-  NodeIndex node{};  ///< in the graph that holds it
-  bool of_candidate =
-      true;  ///< held by the candidate graph (and missing from the query), or the other way round
-  std::size_t views = 0;  ///< cameras of the other graph that should have shown it
-  double cost = 0.0;      ///< −log10 P(missing | same place)
+  NodeIndex node{};          ///< in the graph that holds it
+  bool of_candidate = true;  ///< whether the candidate graph holds it, or the query
+  std::size_t views = 0;     ///< cameras of the other graph that should have shown it
+  double cost = 0.0;         ///< −log10 P(missing | same place)
 };
 
 /// Negative evidence: what should have been seen, and was not, speaks against a match. What is out
 /// of view, too far away or hidden behind a nearer box counts nothing; nor does a graph without
 /// views.
 struct MissingObjects {
-  double max_detection_rate = 0.8;  ///< of one view; even a plain object is overlooked now and then
-  double correlation =
-      0.5;  ///< share of a view's chance to overlook an object that its other views repeat
-  double min_probability =
-      0.25;  ///< that an object is missing for another reason: moved, hidden, renamed
-  double image_margin = 40.0;  ///< px from the border within which nothing need show
-  double max_depth = 5.0;      ///< m beyond which nothing need show
-  double same_spot =
-      0.1;  ///< m; an object of another class this near (plus half its size) is the same, renamed
-  double same_spot_b = 0.5;
-  double renamed_cost = 0.0;
+  double max_detection_rate = 0.8;  ///< of one view; even a plain object is overlooked at times
+  double correlation = 0.5;         ///< share of a view's oversight that the other views repeat
+  double min_probability = 0.5;     ///< of another reason to be missing: moved, hidden, misread
+  double image_margin = 40.0;       ///< px from the border within which nothing need show
+  double max_depth = 5.0;           ///< m beyond which nothing need show
+  double same_spot = 0.1;           ///< m; an object found this near, plus
+  double same_spot_share = 0.5;     ///< this share of its size, is the same by another name
 
   /// The missing objects of both graphs under a pose, the candidate's first, ascending. O(nodes ·
   /// views).
@@ -74,20 +69,22 @@ struct MissingObjects {
           ++views;
         }
       }
-      if (views == 0) continue;
+      if (views == 0 || found_by_another_name(node, position, other)) continue;
       const double rate = std::min(max_detection_rate, static_cast<double>(node.existence));
       const double looks = 1.0 + (static_cast<double>(views) - 1.0) * (1.0 - correlation);
-      double cost = -std::log10(std::max(min_probability, std::pow(1.0 - rate, looks)));
-      bool renamed = false;
-      for (const auto& o : other.nodes()) {
-        if (!o.position) continue;
-        const double reach = same_spot + same_spot_b * static_cast<double>(node.size.norm());
-        if (same_spot > 0.0 && (o.position->template cast<double>() - position).norm() < reach)
-          renamed = true;
-      }
-      if (renamed) cost = std::min(cost, renamed_cost);
+      const double cost = -std::log10(std::max(min_probability, std::pow(1.0 - rate, looks)));
       missing.push_back({node_index(i), of_candidate, views, cost});
     }
+  }
+
+  /// Whether the other graph has any object where this one should be: detectors rename and split.
+  template <typename Scalar>
+  bool found_by_another_name(const SemanticNode<Scalar>& node, const Eigen::Vector3d& position,
+                             const TopologyGraph<Scalar>& other) const {
+    const double reach = same_spot + same_spot_share * static_cast<double>(node.size.norm());
+    return std::any_of(other.nodes().begin(), other.nodes().end(), [&](const auto& there) {
+      return there.position && (there.position->template cast<double>() - position).norm() < reach;
+    });
   }
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <topobag/matching/correspondence.hpp>
@@ -24,7 +26,7 @@ struct RelativePose {
   std::vector<Correspondence> inliers;  ///< ascending query node
   double rms = 0.0;                     ///< of the inliers' residuals, m
   double spread = 0.0;                  ///< r.m.s. distance of the inliers from a line, m
-  bool degenerate = true;               ///< fewer than three inliers, or all near one line
+  bool degenerate = true;               ///< near one line, or the rotation is not certain enough
 
   /// −log10 of the number of matches at least this good that chance would give
   /// (`chance_model.hpp`).
@@ -33,6 +35,12 @@ struct RelativePose {
   /// (`missing_objects.hpp`).
   std::vector<MissingObject> missing;
   double missing_cost = 0.0;
+
+  /// Standard deviation of the rotation about its least certain axis, rad.
+  double rotation_deviation() const {
+    const Eigen::Matrix3d rotation = covariance.bottomRightCorner<3, 3>();
+    return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rotation).eigenvalues()(2));
+  }
 
   /// What the decision looks at.
   double score() const noexcept { return significance - missing_cost; }

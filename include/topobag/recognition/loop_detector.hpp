@@ -20,7 +20,8 @@ struct LoopOptions {
 /// Recognises earlier places while a map grows.
 ///
 ///     LoopDetector<> loops;
-///     for (each key frame) if (const Recognition r = loops.detect_and_add(id, stamp, graph)) close(id, r);
+///     for (each key frame) if (const Recognition r = loops.detect_and_add(id, stamp, graph))
+///     close(id, r);
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class LoopDetector {
  public:

@@ -16,7 +16,7 @@ inline namespace v0 {
 /// What became of one candidate.
 struct CandidateReport {
   KeyframeId id{};
-  double similarity = 0.0;                 ///< of the retrieval, in [0, 1]
+  double similarity = 0.0;  ///< of the retrieval, in [0, 1]
   Verdict verdict = Verdict::no_agreement;
   std::optional<RelativePose> pose;        ///< the best one, when three objects agree
   std::vector<RelativePose> other_poses;   ///< distinct ones that fit as well or less, best first

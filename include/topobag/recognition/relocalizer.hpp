@@ -24,8 +24,9 @@ struct RecognitionOptions {
 /// Finds a lost camera in a map.
 ///
 ///     Relocalizer<> relocalizer;
-///     for (each key frame of the map) relocalizer.map().add(id, graph, {stamp, session, T_world_camera});
-///     if (const Recognition r = relocalizer.localize(query_graph)) use(r.accepted->pose->T_candidate_query);
+///     for (each key frame of the map) relocalizer.map().add(id, graph, {stamp, session,
+///     T_world_camera}); if (const Recognition r = relocalizer.localize(query_graph))
+///     use(r.accepted->pose->T_candidate_query);
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class Relocalizer {
  public:
@@ -46,12 +47,14 @@ class Relocalizer {
   Recognition localize(const Graph& query, const RecognitionOptions& options) const {
     QueryOptions retrieval = options.retrieval;
     retrieval.max_results = options.max_candidates;
-    return verify_candidates(map_, query, map_.query(query, retrieval), options.matching, options.decision);
+    return verify_candidates(map_, query, map_.query(query, retrieval), options.matching,
+                             options.decision);
   }
 
   const RecognitionOptions& options() const noexcept { return options_; }
 
-  /// The query camera's pose in the map's world, when it was recognised and the matched entry's pose is known.
+  /// The query camera's pose in the map's world, when it was recognised and the matched entry's
+  /// pose is known.
   std::optional<Eigen::Isometry3d> T_world_query(const Recognition& recognition) const {
     if (!recognition) return std::nullopt;
     const auto info = map_.info(recognition.accepted->id);

@@ -9,10 +9,10 @@ inline namespace v0 {
 /// How far a candidate came. Later values passed the earlier stages.
 enum class Verdict {
   no_agreement,  ///< no three objects of the same classes lie alike
-  degenerate,    ///< the matched objects leave the pose open: nearly on a line, or too close together
-  chance,        ///< such a match would come about by chance too often, or too much is missing
-  ambiguous,     ///< another pose fits about as well
-  outdone,       ///< good enough, but another candidate is better
+  degenerate,  ///< the matched objects leave the pose open: nearly on a line, or too close together
+  chance,      ///< such a match would come about by chance too often, or too much is missing
+  ambiguous,   ///< another pose fits about as well
+  outdone,     ///< good enough, but another candidate is better
   accepted,
 };
 

@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
 #include <topobag/bag/query.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/recognition/recognition.hpp>
@@ -18,42 +16,37 @@ inline namespace v0 {
 
 /// When a match is believed. One set for all data; see the README for how it was chosen.
 struct DecisionOptions {
-  double min_score = 2.0;           ///< −log10 of the expected false matches, less what is missing
-  double max_rotation_deviation = 0.3;  ///< rad; a pose whose rotation is less certain is degenerate
-  double min_lead = 1.0;            ///< over the next distinct pose in the same candidate
+  double min_score = 0.05;  ///< −log10 of the false matches to expect, less what is missing
+  double min_lead = 1.0;    ///< over the next distinct pose in the same candidate
 };
 
 namespace detail {
 
-/// Standard deviation of the rotation about its worst axis, rad.
-inline double rotation_deviation(const RelativePose& pose) {
-  const Eigen::Matrix3d covariance = pose.covariance.bottomRightCorner<3, 3>();
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()(2));
-}
-
 inline Verdict judge_candidate(const CandidateReport& report, const DecisionOptions& options) {
   if (!report.pose) return Verdict::no_agreement;
-  if (report.pose->degenerate || rotation_deviation(*report.pose) > options.max_rotation_deviation) {
-    return Verdict::degenerate;
-  }
+  if (report.pose->degenerate) return Verdict::degenerate;
   if (report.margin() < 0.0) return Verdict::chance;
   const auto rival = [&](const RelativePose& other) {
     return !other.degenerate && other.score() > report.pose->score() - options.min_lead;
   };
-  if (std::any_of(report.other_poses.begin(), report.other_poses.end(), rival)) return Verdict::ambiguous;
+  if (std::any_of(report.other_poses.begin(), report.other_poses.end(), rival))
+    return Verdict::ambiguous;
   return Verdict::accepted;
 }
 
 }  // namespace detail
 
-/// Matches the query with each candidate and accepts at most one: the best score among those that pass every stage.
+/// Matches the query with each candidate and accepts at most one: the best score among those that
+/// pass every stage.
 ///
 /// @param bag         gives the candidates' graphs by `find`
 /// @param candidates  from `bag.query`
 /// Deterministic; ties go to the smaller id.
 template <typename Bag>
-Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query, const std::vector<Candidate>& candidates,
-                              const MatchOptions& matching = {}, const DecisionOptions& decision = {}) {
+Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
+                              const std::vector<Candidate>& candidates,
+                              const MatchOptions& matching = {},
+                              const DecisionOptions& decision = {}) {
   Recognition recognition;
   recognition.usable = query.is_matchable();
   if (!recognition.usable) return recognition;
@@ -70,7 +63,8 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query, 
       report.pose = std::move(match.poses.front());
       report.other_poses.assign(std::make_move_iterator(match.poses.begin() + 1),
                                 std::make_move_iterator(match.poses.end()));
-      for (const Correspondence& pair : report.pose->inliers) ++report.matched[query.node(pair.query).label];
+      for (const Correspondence& pair : report.pose->inliers)
+        ++report.matched[query.node(pair.query).label];
     }
     report.verdict = detail::judge_candidate(report, decision);
     recognition.candidates.push_back(std::move(report));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -15,6 +17,7 @@
 #include <topobag/sensing/depth_view.hpp>
 #include <topobag/sensing/node_noise.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
+#include <topobag/sensing/same_object.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/detection.hpp>
 #include <topobag/types/semantic_node.hpp>
@@ -30,6 +33,7 @@ struct LiftOptions {
   double min_depth = 0.1;              ///< m
   double max_depth = 10.0;             ///< m
   double max_image_share = 0.5;  ///< share of the image's area; such a box is a room, not an object
+  SameObject duplicate{};        ///< of two nodes that are one object the surer one is kept
   NodeNoise noise{};             ///< gives each node its covariance
 };
 
@@ -43,9 +47,10 @@ struct DroppedDetections {
   std::size_t too_large = 0;
   std::size_t no_depth = 0;
   std::size_t out_of_range = 0;
+  std::size_t duplicate = 0;  ///< a surer detection gives the same object
 
   std::size_t total() const noexcept {
-    return invalid + low_confidence + dynamic + too_large + no_depth + out_of_range;
+    return invalid + low_confidence + dynamic + too_large + no_depth + out_of_range + duplicate;
   }
 
   DroppedDetections& operator+=(const DroppedDetections& other) noexcept {
@@ -55,6 +60,7 @@ struct DroppedDetections {
     too_large += other.too_large;
     no_depth += other.no_depth;
     out_of_range += other.out_of_range;
+    duplicate += other.duplicate;
     return *this;
   }
 };
@@ -69,7 +75,34 @@ struct LiftedNodes {
 
 namespace detail {
 
-/// eq. 1, 2, 5 for one detection; `depth_of(detection, box)` gives metres or nothing.
+/// Keeps the surest of the nodes that are one object. O(n · kept).
+template <typename Scalar>
+void drop_duplicates(LiftedNodes<Scalar>& lifted, const SameObject& same_object) {
+  std::vector<std::size_t> by_confidence(lifted.nodes.size());
+  std::iota(by_confidence.begin(), by_confidence.end(), std::size_t{0});
+  std::stable_sort(by_confidence.begin(), by_confidence.end(), [&](std::size_t a, std::size_t b) {
+    return lifted.nodes[a].confidence > lifted.nodes[b].confidence;
+  });
+  std::vector<std::size_t> kept;
+  for (const std::size_t i : by_confidence) {
+    const bool twin = std::any_of(kept.begin(), kept.end(), [&](std::size_t k) {
+      return same_object(lifted.nodes[k], lifted.nodes[i]);
+    });
+    if (!twin) kept.push_back(i);
+  }
+  lifted.dropped.duplicate = lifted.nodes.size() - kept.size();
+  if (lifted.dropped.duplicate == 0) return;
+  std::sort(kept.begin(), kept.end());
+  LiftedNodes<Scalar> unique;
+  unique.dropped = lifted.dropped;
+  for (const std::size_t i : kept) {
+    unique.nodes.push_back(lifted.nodes[i]);
+    unique.sources.push_back(lifted.sources[i]);
+  }
+  lifted = std::move(unique);
+}
+
+/// eq. 1, 2, 5 for every detection; `depth_of(detection, box)` gives metres or nothing.
 template <typename Detections, typename DepthOf, typename Scalar>
 LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth_of,
                               const PinholeCamera<Scalar>& camera, const ClassCatalog& catalog,
@@ -128,6 +161,7 @@ LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth
       lifted.sources.push_back(index);
     }
   }
+  drop_duplicates(lifted, options.duplicate);
   return lifted;
 }
 

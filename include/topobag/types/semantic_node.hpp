@@ -20,10 +20,10 @@ struct SemanticNode {
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
   using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
 
-  ClassId label{};                  ///< class, c of eq. 1
-  std::optional<Vector2> pixel;     ///< box centre (u, v), px; absent behind the camera
-  Scalar z = Scalar(0);             ///< depth, m; 0 = unknown
-  std::optional<Vector3> position;  ///< (X, Y, Z) in the camera frame, m; absent without depth
+  ClassId label{};                       ///< class, c of eq. 1
+  std::optional<Vector2> pixel;          ///< box centre (u, v), px; absent behind the camera
+  Scalar z = Scalar(0);                  ///< depth, m; 0 = unknown
+  std::optional<Vector3> position;       ///< (X, Y, Z) in the camera frame, m; absent without depth
   Matrix3 covariance = Matrix3::Zero();  ///< of `position`, m²; zero = not modelled
   Vector2 size = Vector2::Zero();        ///< extent parallel to the image, m; 0 = unknown
   Scalar confidence = Scalar(1);         ///< detector's score in [0, 1]
