@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <topobag/version.hpp>
+
+/// Forward declarations of the types that cross an interface.
+namespace topobag {
+inline namespace v0 {
+
+struct BoundingBox;
+struct Detection;
+class ClassCatalog;
+template <typename Scalar>
+struct SemanticNode;
+template <typename Scalar>
+struct PinholeCamera;
+template <typename Pixel>
+class DepthView;
+struct Edge;
+template <typename Scalar>
+struct View;
+template <typename Scalar>
+class TopologyGraph;
+template <typename Scalar>
+class LocalGraph;
+struct RelativePose;
+struct GraphMatch;
+struct EntryInfo;
+struct QueryOptions;
+template <typename Graph, typename Similarity>
+class BagOfTopologyGraphs;
+struct Recognition;
+template <typename Bag>
+class Relocalizer;
+template <typename Bag>
+class LoopDetector;
+
+}  // namespace v0
+}  // namespace topobag
