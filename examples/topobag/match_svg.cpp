@@ -2,7 +2,6 @@
 #include "match_svg.hpp"
 
 #include <array>
-#include <filesystem>
 #include <iomanip>
 #include <set>
 #include <sstream>
@@ -40,11 +39,6 @@ std::optional<std::size_t> best_look_up(const RecognitionRun& run) {
     if (run.look_ups[i].recognition && (!best || score(i) > score(*best))) best = i;
   }
   return best;
-}
-
-/// A table's name without its folder.
-std::string name_of(const std::string& set) {
-  return std::filesystem::path(set).filename().string();
 }
 
 /// "b in a: 3 objects agree, score 4.20"

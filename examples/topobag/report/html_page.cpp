@@ -58,7 +58,9 @@ std::string html_page(const Report& report) {
       << "</title>\n<style>" << page_style << "</style>\n</head>\n<body>\n<header>\n<h1>"
       << escaped(report.title) << "</h1>\n<dl>\n";
   for (const auto& [name, value] : report.facts) {
-    out << "<div><dt>" << escaped(name) << "</dt><dd>" << escaped(value) << "</dd></div>\n";
+    const bool is_long = value.size() > 60;
+    out << "<div" << (is_long ? " class=\"long\"" : "") << "><dt>" << escaped(name) << "</dt><dd>"
+        << escaped(value) << "</dd></div>\n";
   }
   out << "</dl>\n";
   for (const std::string& note : report.notes) {

@@ -203,10 +203,10 @@ class MatrixView {
     }
     g.fillStyle = color('text');
     g.textAlign = 'left';
-    const { low, high } = this.data;
+    const { low, high, sign } = this.data;
     for (const share of [0, 0.5, 1]) {
       const y = this.top + (1 - share) * tall;
-      const text = this.number(low + share * (high - low));
+      const text = Number((sign * (low + share * (high - low))).toPrecision(3));
       g.fillText(text, x + 17, Math.min(Math.max(y + 4, this.top + 10), this.top + tall));
     }
   }

@@ -26,6 +26,7 @@ h2 { font-size: 16px; margin: 0 0 8px }
 a { color: var(--blue) }
 dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(250px, 1fr)); gap: 8px 24px;
   margin: 0 0 12px }
+.long { grid-column: span 2 }
 dt { color: var(--quiet); font-size: 13px }
 dd { margin: 0; overflow-wrap: anywhere }
 .note { border-left: 4px solid var(--amber); margin: 8px 0; padding: 2px 12px }
@@ -69,6 +70,9 @@ svg { display: block; width: 100%; height: auto }
 canvas { display: block; width: 100%; height: auto; cursor: crosshair }
 .readout { min-height: 3em; margin: 8px 0 0; font-size: 13.5px; font-variant-numeric: tabular-nums }
 .drawing { overflow-x: auto }
+@media (max-width: 640px) {
+  .long { grid-column: auto }
+}
 @media print {
   body { padding: 0; max-width: none; font-size: 11px }
   main { display: block }

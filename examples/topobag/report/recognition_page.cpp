@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <topobag/evaluation/protocol_text.hpp>
@@ -30,12 +31,12 @@ std::optional<topobag::Trajectory> trajectory_of(const std::vector<Keyframe>& ke
   return trajectory;
 }
 
-/// Two views that share a third of what they see, up to the depth of a room, are of one place.
+/// Two views that share half of what they see, up to the depth of a room, are of one place.
 topobag::PlaceProtocol protocol_of(const std::string& text, const topobag::PinholeCamera<>& camera,
                                    std::optional<double> loop_gap) {
   if (!text.empty()) return topobag::parse_protocol(text);
   topobag::PlaceProtocol protocol;
-  protocol.covisibility = 0.3;
+  protocol.covisibility = 0.5;
   protocol.frustum = topobag::DepthFrustum{camera, 0.4, 4.0};
   if (loop_gap) {
     protocol.exclude_seconds = *loop_gap;
@@ -134,10 +135,12 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
     facts.emplace_back("Queries",
                        run_.query_set + ", " + count(run_.queries.size()) + " key frames");
   }
-  facts.emplace_back("Key frames", "every " + short_text(keyframes.interval) +
-                                       " s, graphs fused over " + short_text(keyframes.window) +
-                                       " s, detections from score " +
-                                       short_text(keyframes.min_confidence));
+  facts.emplace_back(
+      "Key frames",
+      (keyframes.interval > 0.0 ? "every " + short_text(keyframes.interval) + " s" : "all frames") +
+          (keyframes.window > 0.0 ? ", graphs fused over " + short_text(keyframes.window) + " s"
+                                  : ", graphs of single frames") +
+          ", detections from score " + short_text(keyframes.min_confidence));
   facts.emplace_back("Accepted", count(summary.accepted) + " of " + count(summary.queries) +
                                      " queries with a usable graph and a candidate");
   facts.emplace_back("Verdicts", count(summary.correct) + " correct, " + count(summary.imprecise) +
@@ -281,7 +284,8 @@ Figure RecognitionPage::verdict_figure() const {
 
 Report RecognitionPage::report() const {
   const std::vector<QueryOutcome> outcomes = this->outcomes();
-  Report report{loop_gap_ ? "Loops in " + run_.query_set : run_.query_set + " in " + run_.map_set};
+  const std::string queries = name_of(run_.query_set);
+  Report report{loop_gap_ ? "Loops in " + queries : queries + " in " + name_of(run_.map_set)};
   add_facts(report, outcomes);
   std::vector<Figure>& figures = report.figures;
   const auto append = [&](std::vector<Figure> more) {
@@ -309,7 +313,7 @@ void add_recognition_report_options(CLI::App& command, RecognitionReportArgument
   add_report_options(command, arguments.files);
   command.add_option("--protocol", arguments.protocol,
                      "What a true place is in the report, as in evaluate [views that overlap by "
-                     "0.3 from 0.4 to 4 m]");
+                     "0.5 from 0.4 to 4 m]");
   command.add_option("--pairs", arguments.pairs, "CSV to write: every candidate that was tried");
 }
 

@@ -41,11 +41,12 @@ ViewFromAbove view_of(const KnownPlaces& places) {
 }
 
 /// The plot's axes about all points, a metre as long to the right as up.
-SvgPlot equal_plot(const Eigen::AlignedBox2d& points, const ViewFromAbove& view, double width,
-                   double height) {
-  const Eigen::Vector2d inner(width - 80.0, height - 62.0);
-  const double margin = 0.06 * points.sizes().maxCoeff() + 0.05;
+SvgPlot equal_plot(const Eigen::AlignedBox2d& points, const ViewFromAbove& view) {
+  const double width = 1100.0;
+  const double margin = 0.05 * points.sizes().maxCoeff() + 0.02;
   const Eigen::Vector2d needed = points.sizes().array() + 2.0 * margin;
+  const double height = std::clamp(width * needed.y() / needed.x(), 400.0, 760.0);
+  const Eigen::Vector2d inner(width - 80.0, height - 62.0);  // without the axes
   const double scale = needed.cwiseQuotient(inner).maxCoeff();
   const Eigen::Vector2d half = 0.5 * scale * inner;
   const Eigen::Vector2d middle = points.center();
@@ -79,7 +80,7 @@ Figure trajectory_figure(const KnownPlaces& places, const std::vector<QueryOutco
   std::vector<Eigen::Vector2d> map;
   for (const auto& pose : places.queries) box.extend(queries.emplace_back(view(pose)));
   for (const auto& pose : places.map) box.extend(map.emplace_back(view(pose)));
-  SvgPlot plot = equal_plot(box, view, 1100.0, 560.0);
+  SvgPlot plot = equal_plot(box, view);
   if (!one_trajectory) {
     plot.line(map, "path map");
     plot.explain_line("path map", "map");
