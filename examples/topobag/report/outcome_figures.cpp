@@ -61,9 +61,7 @@ std::vector<double> round_edges(double low, double high, std::size_t max_count) 
   const std::vector<Tick> ticks = round_ticks(low, high, max_count);
   const double step = ticks.size() > 1 ? ticks[1].value - ticks[0].value : high - low;
   std::vector<double> edges;
-  for (double edge = std::floor(low / step) * step; edge < high + step; edge += step) {
-    edges.push_back(edge);
-  }
+  for (double k = std::floor(low / step); (k - 1.0) * step < high; ++k) edges.push_back(k * step);
   return edges;
 }
 
@@ -105,13 +103,17 @@ void draw_stacks(SvgPlot& plot, const Bins& bins, const std::function<double(std
 }
 
 /// Shares of the outcomes in each bin; empty bins are kept, without a bar.
-Figure share_figure(const char* id, const char* title, const char* label, const Bins& bins) {
+/// @param whole  the values are whole numbers
+Figure share_figure(const char* id, const char* title, const char* label, const Bins& bins,
+                    bool whole = false) {
   Figure figure{id, title, "", ""};
   PlotAxis x{label, 0.0, static_cast<double>(bins.size()), {}};
   std::size_t queries = 0;
   for (std::size_t bin = 0; bin < bins.size(); ++bin) {
-    x.ticks.push_back({static_cast<double>(bin) + 0.5,
-                       short_text(bins.from(bin)) + "–" + short_text(bins.to(bin))});
+    const double last = whole ? bins.to(bin) - 1.0 : bins.to(bin);
+    x.ticks.push_back(
+        {static_cast<double>(bin) + 0.5,
+         short_text(bins.from(bin)) + (last > bins.from(bin) ? "–" + short_text(last) : "")});
     figure.caption += (bin > 0 ? ", " : "") + std::to_string(bins.total(bin));
     queries += bins.total(bin);
   }
@@ -136,6 +138,16 @@ Bins binned(const Values& values, std::vector<double> edges) {
 std::vector<double> edges_about(const Values& values, std::size_t max_count) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return round_edges(low->first, high->first, max_count);
+}
+
+/// The same for whole numbers, with a whole number of them in each bin.
+std::vector<double> whole_edges_about(const Values& values, std::size_t max_bins) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double count = high->first - low->first + 1.0;
+  const double step = std::ceil(count / static_cast<double>(max_bins));
+  std::vector<double> edges{low->first};
+  while (edges.back() <= high->first) edges.push_back(edges.back() + step);
+  return edges;
 }
 
 Figure error_figure(const char* id, const char* title, const char* label, const Values& values,
@@ -182,12 +194,12 @@ std::vector<Figure> breakdown_figures(const std::vector<QueryOutcome>& outcomes)
   if (!overlaps.empty()) {
     figures.push_back(share_figure("by-overlap", "By overlap of the views",
                                    "overlap of query and nearest true place",
-                                   binned(overlaps, {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})));
+                                   binned(overlaps, edges_about(overlaps, 7))));
   }
   if (!objects.empty()) {
     figures.push_back(share_figure("by-objects", "By number of objects",
                                    "nodes of the query's graph",
-                                   binned(objects, edges_about(objects, 7))));
+                                   binned(objects, whole_edges_about(objects, 7)), true));
   }
   figures.push_back(share_figure("by-gap", "By time gap", "time between query and true place, s",
                                  binned(gaps, edges_about(gaps, 6))));

@@ -136,6 +136,7 @@ class MatrixView {
     g.stroke();
   }
 
+  // As small as the cells, but for what is wrong.
   accepted(g) {
     const { rows, columns } = this.data;
     const cell = this.width / columns;
@@ -144,17 +145,18 @@ class MatrixView {
       if ((flags & (CORRECT | IMPRECISE | WRONG | ACCEPTED)) === 0) continue;
       const x = this.left + (i % columns + 0.5) * cell;
       const y = this.top + (Math.floor(i / columns) + 0.5) * this.height / rows;
+      const r = flags & WRONG ? 4 : Math.min(Math.max(0.8 * cell, 0.9), 3.5);
       g.beginPath();
       if (flags & WRONG) {
-        g.moveTo(x - 4, y - 4); g.lineTo(x + 4, y + 4);
-        g.moveTo(x - 4, y + 4); g.lineTo(x + 4, y - 4);
+        g.moveTo(x - r, y - r); g.lineTo(x + r, y + r);
+        g.moveTo(x - r, y + r); g.lineTo(x + r, y - r);
       } else if (flags & IMPRECISE) {
-        g.moveTo(x - 4, y + 3.5); g.lineTo(x + 4, y + 3.5); g.lineTo(x, y - 4); g.closePath();
+        g.moveTo(x - r, y + r); g.lineTo(x + r, y + r); g.lineTo(x, y - r); g.closePath();
       } else {
-        g.arc(x, y, 3.2, 0, 7);
+        g.arc(x, y, r, 0, 7);
       }
-      g.lineWidth = 3.6; g.strokeStyle = '#000'; g.stroke();
-      g.lineWidth = 1.8; g.strokeStyle = '#fff'; g.stroke();
+      g.lineWidth = r; g.strokeStyle = '#000'; g.stroke();
+      g.lineWidth = r / 2; g.strokeStyle = '#fff'; g.stroke();
     }
   }
 
@@ -204,9 +206,10 @@ class MatrixView {
     g.fillStyle = color('text');
     g.textAlign = 'left';
     const { low, high, sign } = this.data;
+    const decimals = Math.min(Math.max(2 - Math.floor(Math.log10(high - low || 1)), 0), 8);
     for (const share of [0, 0.5, 1]) {
       const y = this.top + (1 - share) * tall;
-      const text = Number((sign * (low + share * (high - low))).toPrecision(3));
+      const text = (sign * (low + share * (high - low))).toFixed(decimals);
       g.fillText(text, x + 17, Math.min(Math.max(y + 4, this.top + 10), this.top + tall));
     }
   }

@@ -2,6 +2,7 @@
 #include "retrieval_page.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -153,7 +154,7 @@ Report retrieval_report(const KnownPlaces& places, const RetrievalRun& run) {
   const double accept = run.accept.value_or(best_f1_threshold(method.labelled));
   const std::vector<QueryOutcome> outcomes = outcomes_of(places, run, relations, accept);
 
-  Report report{"Place recognition by " + method.name};
+  Report report{"Place recognition by " + std::filesystem::path(method.name).filename().string()};
   add_facts(report, places, run, accept);
   std::vector<Figure>& figures = report.figures;
   const auto append = [&](std::vector<Figure> more) {

@@ -103,7 +103,7 @@ Figure recall_at_k_figure(const std::vector<NamedScores>& methods) {
 Figure score_histogram_figure(const std::string& id, const NamedScores& scores) {
   constexpr std::size_t bins = 40;
   const std::vector<topobag::LabelledScore>& all = scores.labelled.scores;
-  Figure figure{id, "Of true and false pairs: " + scores.name, "", ""};
+  Figure figure{id, "True and false pairs by " + scores.name, "", ""};
   figure.table.columns = {"from", "to", "true_pairs", "false_pairs"};
   double low = all.empty() ? 0.0 : scores.sign * all.back().score;
   double high = all.empty() ? 1.0 : scores.sign * all.front().score;
