@@ -57,7 +57,7 @@ try {
 
   // The numbers: in the page, and to keep.
   await page.locator('summary').first().click();
-  assert.ok(await page.locator('details[open] td').count() > 0);
+  await page.locator('details[open] td').first().waitFor({ timeout: 5000 });
   for (const [link, start] of [['figure a.download', /^\w+(,\w+)+\n/], ['header a.download', /^{"title"/]]) {
     const [download] = await Promise.all([
       page.waitForEvent('download'), page.locator(link).first().click(),

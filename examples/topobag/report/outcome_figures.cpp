@@ -58,10 +58,11 @@ class Bins {
 /// Round edges about all values.
 std::vector<double> round_edges(double low, double high, std::size_t max_count) {
   if (!(high > low)) high = low + 1.0;
-  const std::vector<Tick> ticks = round_ticks(low, high, max_count);
-  const double step = ticks.size() > 1 ? ticks[1].value - ticks[0].value : high - low;
   std::vector<double> edges;
-  for (double k = std::floor(low / step); (k - 1.0) * step < high; ++k) edges.push_back(k * step);
+  for (const Tick& tick : round_ticks(low, high, max_count)) edges.push_back(tick.value);
+  const double step = edges.size() > 1 ? edges[1] - edges[0] : high - low;
+  if (edges.front() > low) edges.insert(edges.begin(), edges.front() - step);
+  if (edges.back() < high) edges.push_back(edges.back() + step);
   return edges;
 }
 
