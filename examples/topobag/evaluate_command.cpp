@@ -2,6 +2,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -15,6 +16,8 @@
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "pose_files.hpp"
+#include "report/report_options.hpp"
+#include "report/retrieval_page.hpp"
 #include "retrieval_report.hpp"
 
 namespace program {
@@ -30,16 +33,17 @@ struct EvaluateOptions {
   bool lower_is_better = false;
   bool as_json = false;
   std::vector<double> pose_limits;
-  double accept = -std::numeric_limits<double>::infinity();
+  std::optional<double> accept;
   std::string curve;
   std::string ranks;
   RetrievalReportOptions report;
+  ReportFiles files;
 };
 
 /// The scores of a method, higher = more alike, with what the truth says of them.
 struct Method {
   topobag::LabelledScores labelled;
-  topobag::ScoreList list;  ///< empty for a matrix
+  PairScores scores;
 };
 
 bool ends_with(const std::string& text, const std::string& end) {
@@ -48,23 +52,22 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 Method read_method(const std::string& path, const EvaluateOptions& options,
                    const topobag::PlaceTruth& truth) {
-  std::variant<topobag::ScoreMatrix, topobag::ScoreList> scores;
-  if (ends_with(path, ".npy")) {
-    scores = topobag::read_npy(path);
-  } else {
-    scores = topobag::read_score_csv(path);
-  }
   Method method;
+  if (ends_with(path, ".npy")) {
+    method.scores = topobag::read_npy(path);
+  } else {
+    method.scores = topobag::read_score_csv(path);
+  }
   try {
-    if (auto* const matrix = std::get_if<topobag::ScoreMatrix>(&scores)) {
+    if (auto* const matrix = std::get_if<topobag::ScoreMatrix>(&method.scores)) {
       if (options.lower_is_better) *matrix = -*matrix;
       method.labelled = topobag::label_scores(*matrix, truth);
     } else {
-      method.list = std::get<topobag::ScoreList>(std::move(scores));
+      auto& pairs = std::get<topobag::ScoreList>(method.scores).pairs;
       if (options.lower_is_better) {
-        for (topobag::ScoredPair& pair : method.list.pairs) pair.score = -pair.score;
+        for (topobag::ScoredPair& pair : pairs) pair.score = -pair.score;
       }
-      method.labelled = topobag::label_scores(method.list.pairs, truth);
+      method.labelled = topobag::label_scores(pairs, truth);
     }
   } catch (const topobag::Error& error) {
     throw InputError(path, error.what());
@@ -72,11 +75,16 @@ Method read_method(const std::string& path, const EvaluateOptions& options,
   return method;
 }
 
-topobag::PlaceTruth read_truth(const EvaluateOptions& options) {
+KnownPlaces read_places(const EvaluateOptions& options) {
   const topobag::PlaceProtocol protocol = topobag::parse_protocol(options.protocol);
-  const topobag::Trajectory queries = read_trajectory(options.poses, options.times);
-  if (options.map_poses.empty()) return {protocol, queries};
-  return {protocol, queries, read_trajectory(options.map_poses)};
+  topobag::Trajectory queries = read_trajectory(options.poses, options.times);
+  if (options.map_poses.empty()) {
+    const topobag::PlaceTruth truth(protocol, queries);
+    return {queries, queries, truth};
+  }
+  topobag::Trajectory map = read_trajectory(options.map_poses);
+  const topobag::PlaceTruth truth(protocol, queries, map);
+  return {std::move(queries), std::move(map), truth};
 }
 
 topobag::PoseLimits read_limits(const std::vector<double>& v) {
@@ -89,10 +97,16 @@ topobag::PoseLimits read_limits(const std::vector<double>& v) {
   return limits;
 }
 
+/// The score from which on a pair is accepted, higher = more alike.
+std::optional<double> least_score(const EvaluateOptions& options) {
+  if (!options.accept) return std::nullopt;
+  return options.report.score_sign * *options.accept;
+}
+
 Json loops_json(const EvaluateOptions& options, const topobag::ScoreList& list,
                 const topobag::PlaceTruth& truth) {
   const topobag::PoseLimits limits = read_limits(options.pose_limits);
-  const double least = options.lower_is_better ? -options.accept : options.accept;
+  const double least = least_score(options).value_or(-std::numeric_limits<double>::infinity());
   topobag::LoopVerdicts verdicts;
   for (std::size_t i = 0; i < list.pairs.size(); ++i) {
     const topobag::ScoredPair& pair = list.pairs[i];
@@ -104,24 +118,40 @@ Json loops_json(const EvaluateOptions& options, const topobag::ScoreList& list,
 }
 
 void evaluate(const EvaluateOptions& options) {
-  const topobag::PlaceTruth truth = read_truth(options);
-  const Method method = read_method(options.scores, options, truth);
+  const KnownPlaces places = read_places(options);
+  const topobag::PlaceTruth& truth = places.truth;
+  Method method = read_method(options.scores, options, truth);
   Json result;
   result["scores"] = options.scores;
   result["poses"] = options.poses;
   if (!options.map_poses.empty()) result["map_poses"] = options.map_poses;
   result["protocol"] = topobag::to_string(truth.protocol());
   result.update(retrieval_json(method.labelled, options.report));
-  if (!method.list.T_candidate_query.empty()) {
-    result["loops"] = loops_json(options, method.list, truth);
+  const auto* const list = std::get_if<topobag::ScoreList>(&method.scores);
+  if (list != nullptr && !list->T_candidate_query.empty()) {
+    result["loops"] = loops_json(options, *list, truth);
   }
+  Method other;
   if (!options.against.empty()) {
-    const Method other = read_method(options.against, options, truth);
+    other = read_method(options.against, options, truth);
     result["against"] = options.against;
     result["comparison"] = comparison_json(method.labelled, other.labelled, options.report);
   }
   if (!options.curve.empty()) write_file(options.curve, curve_csv(method.labelled, options.report));
   if (!options.ranks.empty()) write_file(options.ranks, ranks_csv(method.labelled));
+  if (wanted(options.files)) {
+    const double sign = options.report.score_sign;
+    RetrievalRun run;
+    run.methods.push_back({options.scores, std::move(method.labelled), sign});
+    if (!options.against.empty()) {
+      run.methods.push_back({options.against, std::move(other.labelled), sign});
+    }
+    run.scores = std::move(method.scores);
+    run.one_trajectory = options.map_poses.empty();
+    run.accept = least_score(options);
+    run.limits = read_limits(options.pose_limits);
+    write_report(retrieval_report(places, run), options.files);
+  }
   std::cout << output_text(result, options.as_json);
 }
 
@@ -175,6 +205,7 @@ void add_evaluate_command(CLI::App& app) {
                      "Score from which on a pair with a pose is an accepted loop [every pair]");
   command.add_option("--curve", options->curve, "CSV to write: the precision-recall curve");
   command.add_option("--ranks", options->ranks, "CSV to write: each query's first true answer");
+  add_report_options(command, options->files);
   command.add_flag("--json", options->as_json, "Print JSON");
   command.callback([options] {
     options->report.score_sign = options->lower_is_better ? -1.0 : 1.0;

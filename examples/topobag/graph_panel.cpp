@@ -4,25 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "report/html_text.hpp"
+
 namespace program {
 namespace {
 
 using Box = Eigen::AlignedBox2d;
 using topobag::NodeIndex;
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 void draw_rectangle(std::ostream& out, const Box& box, const std::string& style) {
   out << "<rect x=\"" << box.min().x() << "\" y=\"" << box.min().y() << "\" width=\""
@@ -107,8 +95,8 @@ void GraphPanel::draw_node(std::ostream& out, NodeIndex node, bool matched,
                            const ClassColors& colors) const {
   const std::string& color = colors.at(graph_.node(node).label);
   out << "<circle cx=\"" << center(node).x() << "\" cy=\"" << center(node).y() << "\" r=\""
-      << (matched ? 7.0 : 5.0) << "\" fill=\"" << (matched ? color : "#ffffff") << "\" stroke=\""
-      << color << "\" stroke-width=\"2\"/>\n";
+      << (matched ? 7.0 : 5.0) << "\" fill=\"" << (matched ? color : "var(--paper)")
+      << "\" stroke=\"" << color << "\" stroke-width=\"2\"/>\n";
 }
 
 /// Beside, above or below the node, inside the panel and where nothing is yet; else beside it.

@@ -9,6 +9,7 @@
 #include "csv_reader.hpp"
 #include "match_svg.hpp"
 #include "recognition_options.hpp"
+#include "report/recognition_page.hpp"
 #include "stopwatch.hpp"
 
 namespace program {
@@ -20,6 +21,7 @@ struct LocalizeArguments {
   topobag::PinholeCamera<> map_camera;
   std::string svg;
   RecognitionArguments recognition;
+  RecognitionReportArguments report;
 };
 
 void localize(const LocalizeArguments& arguments) {
@@ -49,6 +51,7 @@ void localize(const LocalizeArguments& arguments) {
   }
   score(run, common.scoring);
   if (!arguments.svg.empty()) write_file(arguments.svg, match_svg(run));
+  write_recognition_report(run, common, arguments.report);
   print_report(run, common);
 }
 
@@ -65,6 +68,7 @@ void add_localize_command(CLI::App& app) {
   add_camera_option(command, "--map-camera", arguments->map_camera,
                     "The map's camera, where it is another one");
   command.add_option("--svg", arguments->svg, "File to draw the best accepted match in");
+  add_recognition_report_options(command, arguments->report);
   command.callback([arguments] { localize(*arguments); });
 }
 

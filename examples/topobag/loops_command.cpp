@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "number_check.hpp"
 #include "recognition_options.hpp"
+#include "report/recognition_page.hpp"
 #include "stopwatch.hpp"
 
 namespace program {
@@ -17,6 +18,7 @@ struct LoopsArguments {
   std::string nodes;
   topobag::LoopOptions options;
   RecognitionArguments recognition;
+  RecognitionReportArguments report;
 };
 
 void find_loops(const LoopsArguments& arguments) {
@@ -42,6 +44,7 @@ void find_loops(const LoopsArguments& arguments) {
     loops.bag().add(topobag::KeyframeId{i}, query.graph, std::move(info));
   }
   score(run, common.scoring);
+  write_recognition_report(run, common, arguments.report, arguments.options.min_gap);
   print_report(run, common);
 }
 
@@ -59,6 +62,7 @@ void add_loops_command(CLI::App& app) {
       ->check(number_within(0.0))
       ->capture_default_str();
   add_recognition_options(command, arguments->recognition);
+  add_recognition_report_options(command, arguments->report);
   command.callback([arguments] { find_loops(*arguments); });
 }
 

@@ -2,7 +2,6 @@
 #include "match_svg.hpp"
 
 #include <array>
-#include <filesystem>
 #include <iomanip>
 #include <set>
 #include <sstream>
@@ -14,6 +13,7 @@ namespace {
 
 const double panel_width = 560.0;  // px of the drawing
 const double margin = 24.0;
+const double width = 2 * panel_width + 3 * margin;
 const double header = 92.0;
 
 /// A color for each class, in the order of the class numbers.
@@ -41,11 +41,6 @@ std::optional<std::size_t> best_look_up(const RecognitionRun& run) {
   return best;
 }
 
-/// A table's name without its folder.
-std::string name_of(const std::string& set) {
-  return std::filesystem::path(set).filename().string();
-}
-
 /// "b in a: 3 objects agree, score 4.20"
 std::string title_of(const RecognitionRun& run, const LookUp& look_up) {
   const topobag::RelativePose& pose = *look_up.recognition.accepted->pose;
@@ -69,18 +64,23 @@ std::string pose_line(const LookUp& look_up) {
   return out.str();
 }
 
-void open_svg(std::ostream& out, double width, double height) {
+void open_svg(std::ostream& out, double height) {
   out << std::fixed << std::setprecision(1) << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
       << width << "\" height=\"" << height << "\" viewBox=\"0 0 " << width << ' ' << height
-      << "\">\n<style>\n"
-      << "text { font: 13px sans-serif; fill: #1b2430 }\n"
-      << ".title { font-size: 17px; font-weight: bold }\n"
-      << ".label { paint-order: stroke; stroke: #ffffff; stroke-width: 3px }\n"
-      << ".image { fill: #f5f7fa; stroke: #c3ccd6 }\n"
-      << ".object { fill-opacity: 0.12 }\n"
-      << ".edge { stroke: #9aa7b5; stroke-width: 1.2 }\n"
-      << ".match { fill: none; stroke-width: 2; stroke-opacity: 0.5 }\n"
-      << "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+      << "\" class=\"matched-graphs\">\n<style>\n"
+      << ".matched-graphs { --ink: #1b2430; --paper: #ffffff; --image: #f5f7fa; --edge: #9aa7b5 }\n"
+      << "@media screen and (prefers-color-scheme: dark) {\n"
+      << "  .matched-graphs { --ink: #e6ebf0; --paper: #1a2129; --image: #27313b; --edge: #7b8a99 "
+         "}\n"
+      << "}\n"
+      << ".matched-graphs text { font: 13px sans-serif; fill: var(--ink) }\n"
+      << ".matched-graphs .title { font-size: 17px; font-weight: bold }\n"
+      << ".matched-graphs .label { paint-order: stroke; stroke: var(--paper); stroke-width: 3px }\n"
+      << ".matched-graphs .image { fill: var(--image); stroke: var(--edge); stroke-opacity: 0.6 }\n"
+      << ".matched-graphs .object { fill-opacity: 0.12 }\n"
+      << ".matched-graphs .edge { stroke: var(--edge); stroke-width: 1.2 }\n"
+      << ".matched-graphs .match { fill: none; stroke-width: 2; stroke-opacity: 0.5 }\n"
+      << "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"var(--paper)\"/>\n";
 }
 
 void draw_match(std::ostream& out, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
@@ -94,21 +94,21 @@ void draw_match(std::ostream& out, const Eigen::Vector2d& a, const Eigen::Vector
 }  // namespace
 
 std::string match_svg(const RecognitionRun& run) {
-  const double width = 2 * panel_width + 3 * margin;
+  if (const std::optional<std::size_t> best = best_look_up(run)) return match_svg(run, *best);
   std::ostringstream out;
-  const std::optional<std::size_t> best = best_look_up(run);
-  if (!best) {
-    open_svg(out, width, header);
-    draw_text(out, margin, 34, "title",
-              name_of(run.query_set) + " in " + name_of(run.map_set) + ": no match");
-    out << "</svg>\n";
-    return out.str();
-  }
+  open_svg(out, header);
+  draw_text(out, margin, 34, "title",
+            name_of(run.query_set) + " in " + name_of(run.map_set) + ": no match");
+  out << "</svg>\n";
+  return out.str();
+}
 
-  const LookUp& look_up = run.look_ups[*best];
+std::string match_svg(const RecognitionRun& run, std::size_t index) {
+  std::ostringstream out;
+  const LookUp& look_up = run.look_ups[index];
   const topobag::CandidateReport& match = *look_up.recognition.accepted;
   const Keyframe& candidate = run.map[topobag::value(match.id)];
-  const Keyframe& query = run.queries[*best];
+  const Keyframe& query = run.queries[index];
   GraphPanel left(candidate.graph);
   GraphPanel right(query.graph);
   const Eigen::AlignedBox2d extent = left.extent().merged(right.extent());
@@ -117,7 +117,7 @@ std::string match_svg(const RecognitionRun& run) {
   left.place(extent, {margin, header}, scale);
   right.place(extent, {right_side, header}, scale);
 
-  open_svg(out, width, header + scale * extent.sizes().y() + margin);
+  open_svg(out, header + scale * extent.sizes().y() + margin);
   draw_text(out, margin, 30, "title", title_of(run, look_up));
   draw_text(out, margin, 52, "pose", pose_line(look_up));
   draw_text(out, margin, header - 8, "place", "map, frame " + std::to_string(candidate.idx));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "recognition_run.hpp"
@@ -11,5 +12,9 @@ namespace program {
 /// side by side as their cameras see them, matched objects joined. Without an accepted match the
 /// drawing says so.
 std::string match_svg(const RecognitionRun& run);
+
+/// The same of the accepted match of one look-up. On an HTML page, too: its styles are its own.
+/// Precondition: the look-up has an accepted match.
+std::string match_svg(const RecognitionRun& run, std::size_t index);
 
 }  // namespace program

@@ -2,6 +2,7 @@
 #include "recognition_run.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 namespace program {
@@ -17,6 +18,10 @@ std::optional<double> median(std::vector<double> values) {
 }
 
 }  // namespace
+
+std::string name_of(const std::string& set) {
+  return std::filesystem::path(set).filename().string();
+}
 
 void score(RecognitionRun& run, const Scoring& scoring) {
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {

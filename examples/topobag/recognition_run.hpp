@@ -35,6 +35,9 @@ struct RecognitionRun {
   std::vector<LookUp> look_ups;  ///< parallel to `queries`
 };
 
+/// The name of a table without its folder.
+std::string name_of(const std::string& set);
+
 /// What an accepted match is held against.
 struct Scoring {
   topobag::PoseLimits limits;

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "pair_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "html_text.hpp"
+#include "score_figures.hpp"
+#include "score_image.hpp"
+
+namespace program {
+namespace {
+
+const std::size_t most_pairs_in_page = 20000;
+
+std::string pair_hint(const topobag::CandidateReport& candidate, std::size_t query,
+                      const KnownPlaces* places) {
+  std::string text = to_string(candidate.verdict);
+  if (places == nullptr) return text;
+  const Eigen::Isometry3d pose =
+      places->truth.T_candidate_query(query, topobag::value(candidate.id));
+  return text + "; cameras " + fixed_text(pose.translation().norm(), 2) + " m and " +
+         fixed_text(topobag::rotation_angle_deg(pose.linear()), 0) + "° apart";
+}
+
+}  // namespace
+
+DataTable pair_table(const RecognitionRun& run, const KnownPlaces* places) {
+  DataTable table{{"query", "candidate", "query_idx", "candidate_idx", "similarity", "score",
+                   "objects", "verdict", "relation", "distance_m", "angle_deg"},
+                  {}};
+  const std::array<const char*, 4> relations{"true", "false", "ignored", "excluded"};
+  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
+    for (const topobag::CandidateReport& candidate : run.look_ups[i].recognition.candidates) {
+      const std::size_t id = topobag::value(candidate.id);
+      Json row = Json::array({i, id, run.queries[i].idx, run.map[id].idx, candidate.similarity});
+      row.push_back(candidate.pose ? Json(candidate.pose->score()) : Json());
+      row.push_back(candidate.pose ? candidate.pose->inliers.size() : 0);
+      row.push_back(to_string(candidate.verdict));
+      if (places != nullptr) {
+        const Eigen::Isometry3d pose = places->truth.T_candidate_query(i, id);
+        row.push_back(relations[static_cast<std::size_t>(places->truth.relation(i, id))]);
+        row.push_back(pose.translation().norm());
+        row.push_back(topobag::rotation_angle_deg(pose.linear()));
+      } else {
+        for (int k = 0; k < 3; ++k) row.push_back(nullptr);
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+std::vector<Figure> pair_score_figures(const RecognitionRun& run, const KnownPlaces& places) {
+  std::vector<topobag::ScoredPair> similarities;
+  std::vector<topobag::ScoredPair> scores;
+  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
+    for (const topobag::CandidateReport& candidate : run.look_ups[i].recognition.candidates) {
+      topobag::ScoredPair pair{static_cast<std::uint32_t>(i),
+                               static_cast<std::uint32_t>(topobag::value(candidate.id)),
+                               candidate.similarity};
+      similarities.push_back(pair);
+      if (!candidate.pose) continue;
+      pair.score = candidate.pose->score();
+      scores.push_back(pair);
+    }
+  }
+  const std::vector<NamedScores> methods{
+      {"match score", topobag::label_scores(std::move(scores), places.truth)},
+      {"similarity", topobag::label_scores(std::move(similarities), places.truth)}};
+  return {precision_recall_figure(methods), recall_at_k_figure(methods),
+          score_histogram_figure("match-scores", methods[0]),
+          score_histogram_figure("similarities", methods[1])};
+}
+
+std::vector<Figure> matrix_figures(const RecognitionRun& run, const KnownPlaces* places,
+                                   const std::vector<QueryOutcome>& outcomes) {
+  const std::size_t rows = run.queries.size();
+  const std::size_t columns = run.map.size();
+  const bool with_hints = rows * columns <= most_pairs_in_page;
+  ScoreImage similarities(rows, columns);
+  ScoreImage scores(rows, columns);
+  std::size_t pairs_tried = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (const topobag::CandidateReport& candidate : run.look_ups[i].recognition.candidates) {
+      const std::size_t id = topobag::value(candidate.id);
+      ++pairs_tried;
+      similarities.add(i, id, candidate.similarity);
+      if (candidate.pose) scores.add(i, id, candidate.pose->score());
+      if (!with_hints) continue;
+      const std::string hint = pair_hint(candidate, i, places);
+      similarities.hint(i, id, hint);
+      scores.hint(i, id, hint);
+    }
+    for (ScoreImage* const image : {&similarities, &scores}) {
+      for (std::size_t k = 0; places != nullptr && k < columns; ++k) {
+        if (places->truth.relation(i, k) == topobag::PairRelation::positive) image->mark_true(i, k);
+      }
+      if (outcomes[i].answer) image->mark_answer(i, *outcomes[i].answer, outcomes[i].outcome);
+    }
+  }
+  ScoreImage::Names names{"similarity-matrix", "Similarity of every pair", "similarity"};
+  for (const Keyframe& keyframe : run.queries) names.rows.push_back(keyframe.idx);
+  for (const Keyframe& keyframe : run.map) names.columns.push_back(keyframe.idx);
+  std::vector<Figure> figures{similarities.figure(names)};
+  if (pairs_tried <= most_pairs_in_page) figures.back().table = pair_table(run, places);
+  names.id = "score-matrix";
+  names.title = "Match score of every pair";
+  names.score = "match score";
+  figures.push_back(scores.figure(names));
+  return figures;
+}
+
+Figure verdict_figure(const RecognitionRun& run) {
+  Figure figure{"verdicts", "How far the best candidate of each query came", "", ""};
+  const std::array<const char*, 5> names{"no agreement", "degenerate", "chance", "ambiguous",
+                                         "accepted"};
+  std::array<std::size_t, 5> counts{};
+  std::size_t without = 0;
+  for (const LookUp& look_up : run.look_ups) {
+    if (!look_up.is_query()) {
+      ++without;
+      continue;
+    }
+    const auto& best = look_up.recognition.accepted ? *look_up.recognition.accepted
+                                                    : look_up.recognition.candidates.front();
+    const bool accepted = best.verdict == topobag::Verdict::accepted;
+    ++counts[accepted ? 4 : static_cast<std::size_t>(best.verdict)];
+  }
+  PlotAxis x{"stage", 0.0, 5.0, {}};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    x.ticks.push_back({static_cast<double>(i) + 0.5, names[i]});
+  }
+  const std::size_t most = *std::max_element(counts.begin(), counts.end());
+  SvgPlot plot(std::move(x), axis_from_zero("queries", static_cast<double>(most)));
+  figure.table.columns = {"verdict", "queries"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto at = static_cast<double>(i);
+    plot.bar({at + 0.12, 0.0}, {at + 0.88, static_cast<double>(counts[i])},
+             i == 4 ? "correct" : "nothing", std::to_string(counts[i]) + " queries: " + names[i]);
+    figure.table.rows.push_back(Json::array({names[i], counts[i]}));
+    figure.caption += std::string(names[i]) + ' ' + std::to_string(counts[i]) + ", ";
+  }
+  figure.caption += "and " + std::to_string(without) +
+                    " key frames without a usable graph or without a candidate.";
+  figure.drawing = plot.svg(figure.title + ". " + figure.caption);
+  return figure;
+}
+
+}  // namespace program

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "recognition_page.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <topobag/evaluation/protocol_text.hpp>
+
+#include "csv_reader.hpp"
+#include "html_text.hpp"
+#include "match_figures.hpp"
+#include "outcome_figures.hpp"
+#include "pair_figures.hpp"
+#include "query_outcome.hpp"
+#include "trajectory_figure.hpp"
+
+namespace program {
+namespace {
+
+std::optional<topobag::Trajectory> trajectory_of(const std::vector<Keyframe>& keyframes) {
+  topobag::Trajectory trajectory;
+  for (const Keyframe& keyframe : keyframes) {
+    if (!keyframe.T_world_camera) return std::nullopt;
+    trajectory.push_back({keyframe.timestamp, *keyframe.T_world_camera});
+  }
+  return trajectory;
+}
+
+/// Two views that share half of what they see, up to the depth of a room, are of one place.
+topobag::PlaceProtocol protocol_of(const std::string& text, const topobag::PinholeCamera<>& camera,
+                                   std::optional<double> loop_gap) {
+  if (!text.empty()) return topobag::parse_protocol(text);
+  topobag::PlaceProtocol protocol;
+  protocol.covisibility = 0.5;
+  protocol.frustum = topobag::DepthFrustum{camera, 0.4, 4.0};
+  if (loop_gap) {
+    protocol.exclude_seconds = *loop_gap;
+    protocol.past_only = true;
+  }
+  return protocol;
+}
+
+/// Makes the report of one run.
+class RecognitionPage {
+ public:
+  RecognitionPage(const RecognitionRun& run, const RecognitionArguments& arguments,
+                  const std::string& protocol, std::optional<double> loop_gap)
+      : run_(run), arguments_(arguments), loop_gap_(loop_gap) {
+    auto queries = trajectory_of(run.queries);
+    auto map = trajectory_of(run.map);
+    if (!queries || !map || arguments.scoring.different_places) return;
+    const topobag::PlaceProtocol declared = protocol_of(
+        protocol, with_size(arguments.keyframes.camera, arguments.image_size), loop_gap);
+    const topobag::PlaceTruth truth = loop_gap ? topobag::PlaceTruth(declared, *queries)
+                                               : topobag::PlaceTruth(declared, *queries, *map);
+    places_ = KnownPlaces{*std::move(queries), *std::move(map), truth};
+  }
+
+  Report report() const;
+  DataTable pairs() const { return pair_table(run_, places()); }
+
+ private:
+  std::vector<QueryOutcome> outcomes() const;
+  void add_facts(Report& report, const std::vector<QueryOutcome>& outcomes) const;
+  const KnownPlaces* places() const { return places_ ? &*places_ : nullptr; }
+
+  const RecognitionRun& run_;
+  const RecognitionArguments& arguments_;
+  std::optional<double> loop_gap_;
+  std::optional<KnownPlaces> places_;
+};
+
+std::vector<QueryOutcome> RecognitionPage::outcomes() const {
+  std::vector<QueryOutcome> outcomes;
+  for (std::size_t i = 0; i < run_.look_ups.size(); ++i) {
+    const LookUp& look_up = run_.look_ups[i];
+    QueryOutcome query;
+    query.objects = run_.queries[i].graph.size();
+    if (places_) query.place = nearest_true_place(*places_, i);
+    if (const auto& match = look_up.recognition.accepted) {
+      query.answer = topobag::value(match->id);
+      query.score = match->pose->score();
+      query.outcome = look_up.verdict ? outcome_of(*look_up.verdict) : Outcome::unscored;
+    } else {
+      query.outcome = query.place ? Outcome::missed : Outcome::nothing;
+    }
+    outcomes.push_back(query);
+  }
+  return outcomes;
+}
+
+void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>& outcomes) const {
+  const RunSummary summary = summarize(run_);
+  const KeyframeOptions& keyframes = arguments_.keyframes;
+  const topobag::PoseLimits& limits = arguments_.scoring.limits;
+  const auto count = [](std::size_t number) { return std::to_string(number); };
+  auto& facts = report.facts;
+  facts.emplace_back(loop_gap_ ? "Sequence" : "Map",
+                     run_.map_set + ", " + count(run_.map.size()) + " key frames");
+  if (!loop_gap_) {
+    facts.emplace_back("Queries",
+                       run_.query_set + ", " + count(run_.queries.size()) + " key frames");
+  }
+  facts.emplace_back(
+      "Key frames",
+      (keyframes.interval > 0.0 ? "every " + short_text(keyframes.interval) + " s" : "all frames") +
+          (keyframes.window > 0.0 ? ", graphs fused over " + short_text(keyframes.window) + " s"
+                                  : ", graphs of single frames") +
+          ", detections from score " + short_text(keyframes.min_confidence));
+  facts.emplace_back("Accepted", count(summary.accepted) + " of " + count(summary.queries) +
+                                     " queries with a usable graph and a candidate");
+  facts.emplace_back("Verdicts", count(summary.correct) + " correct, " + count(summary.imprecise) +
+                                     " imprecise, " + count(summary.wrong) + " wrong, " +
+                                     count(summary.unscored) + " not scored");
+  if (summary.median_translation_error_m) {
+    facts.emplace_back("Median error of the accepted",
+                       fixed_text(*summary.median_translation_error_m, 3) + " m, " +
+                           fixed_text(*summary.median_rotation_error_deg, 1) + "°");
+  }
+  facts.emplace_back("Correct is", "up to " + short_text(limits.correct_translation_m) + " m and " +
+                                       short_text(limits.correct_rotation_deg) +
+                                       "°; wrong beyond " + short_text(limits.wrong_translation_m) +
+                                       " m or " + short_text(limits.wrong_rotation_deg) + "°");
+  if (places_) {
+    const auto true_places =
+        std::count_if(outcomes.begin(), outcomes.end(),
+                      [](const QueryOutcome& q) { return q.place.has_value(); });
+    facts.emplace_back("Queries with a true place", std::to_string(true_places));
+    facts.emplace_back("Protocol: what a true place is",
+                       topobag::to_string(places_->truth.protocol()));
+    report.notes.push_back(
+        "The protocol says which pairs show one place. The verdicts look at the estimated pose "
+        "alone, so that a match of two views that hardly overlap can be correct.");
+  } else if (arguments_.scoring.different_places) {
+    report.notes.push_back(
+        "The sequences share no place: every accepted match is wrong, and the figures that need "
+        "true places are left out.");
+  } else {
+    report.notes.push_back(
+        "Not every key frame has a true pose: only the figures that need none are drawn.");
+  }
+}
+
+Report RecognitionPage::report() const {
+  const std::vector<QueryOutcome> outcomes = this->outcomes();
+  const std::string queries = name_of(run_.query_set);
+  Report report{loop_gap_ ? "Loops in " + queries : queries + " in " + name_of(run_.map_set)};
+  add_facts(report, outcomes);
+  std::vector<Figure>& figures = report.figures;
+  const auto append = [&](std::vector<Figure> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(figures));
+  };
+  if (places_) {
+    figures.push_back(trajectory_figure(*places_, outcomes, loop_gap_.has_value()));
+    append(pair_score_figures(run_, *places_));
+  }
+  append(matrix_figures(run_, places(), outcomes));
+  figures.push_back(verdict_figure(run_));
+  std::vector<JudgedError> errors;
+  for (std::size_t i = 0; i < run_.look_ups.size(); ++i) {
+    if (run_.look_ups[i].error) errors.push_back({*run_.look_ups[i].error, outcomes[i].outcome});
+  }
+  append(error_figures(errors, arguments_.scoring.limits));
+  append(breakdown_figures(outcomes));
+  append(match_figures(run_));
+  return report;
+}
+
+}  // namespace
+
+void add_recognition_report_options(CLI::App& command, RecognitionReportArguments& arguments) {
+  add_report_options(command, arguments.files);
+  command.add_option("--protocol", arguments.protocol,
+                     "What a true place is in the report, as in evaluate [views that overlap by "
+                     "0.5 from 0.4 to 4 m]");
+  command.add_option("--pairs", arguments.pairs, "CSV to write: every candidate that was tried");
+}
+
+void write_recognition_report(const RecognitionRun& run, const RecognitionArguments& recognition,
+                              const RecognitionReportArguments& arguments,
+                              std::optional<double> loop_gap) {
+  if (!wanted(arguments.files) && arguments.pairs.empty()) return;
+  const RecognitionPage page(run, recognition, arguments.protocol, loop_gap);
+  if (!arguments.pairs.empty()) write_file(arguments.pairs, to_csv(page.pairs()));
+  if (wanted(arguments.files)) write_report(page.report(), arguments.files);
+}
+
+}  // namespace program

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "report_options.hpp"
+
+#include "csv_reader.hpp"
+
+namespace program {
+
+void add_report_options(CLI::App& command, ReportFiles& files) {
+  command.add_option("--report", files.page, "HTML page to write: figures of the run");
+  command.add_option("--report-data", files.data, "JSON to write: the numbers of the figures");
+}
+
+void write_report(const Report& report, const ReportFiles& files) {
+  if (!files.page.empty()) write_file(files.page, html_page(report));
+  if (!files.data.empty()) {
+    write_file(files.data, report_json(report).dump(1, ' ', false, Json::error_handler_t::replace));
+  }
+}
+
+}  // namespace program

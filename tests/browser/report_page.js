@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Opens a report in Chromium: node report_page.js REPORT.html
+// Ends with an error at the first thing that is not as it should be.
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { readFile } from 'node:fs/promises';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const browser = await chromium.launch({
+  executablePath: '/usr/bin/chromium',
+  args: [
+    '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync',
+  ],
+});
+
+try {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
+  const complaints = [];
+  const requests = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('requestfailed', (request) => complaints.push('not loaded: ' + request.url()));
+  page.on('request', (request) => requests.push(request.url()));
+
+  const url = pathToFileURL(path.resolve(process.argv[2])).href;
+  await page.goto(url);
+
+  // A drawing in every figure, and nothing from elsewhere.
+  const figures = await page.locator('figure').count();
+  assert.ok(figures >= 6, `only ${figures} figures`);
+  assert.equal(await page.locator('figure:has(svg, canvas)').count(), figures);
+  const elsewhere = requests.filter((request) => request !== url && !request.startsWith('data:'));
+  assert.deepEqual(elsewhere, []);
+
+  // No text reaches beyond its drawing, and no drawing beyond the page.
+  const cut = await page.evaluate(() => [...document.querySelectorAll('figure svg text')].filter((text) => {
+    const inner = text.getBoundingClientRect();
+    const outer = text.ownerSVGElement.getBoundingClientRect();
+    return inner.left < outer.left - 1 || inner.right > outer.right + 1 ||
+      inner.top < outer.top - 1 || inner.bottom > outer.bottom + 1;
+  }).map((text) => text.textContent));
+  assert.deepEqual(cut, []);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+
+  // The pointer on a cell of a matrix reads its pair, and off it again reads none.
+  const matrix = page.locator('canvas.matrix').first();
+  const readout = page.locator('figure:has(canvas.matrix) .readout').first();
+  const atRest = await readout.textContent();
+  await matrix.hover();
+  assert.match(await readout.textContent(), /^query \S+, candidate \S+: /);
+  await page.mouse.move(0, 0);
+  assert.equal(await readout.textContent(), atRest);
+
+  // The numbers: in the page, and to keep.
+  await page.locator('summary').first().click();
+  await page.locator('details[open] td').first().waitFor({ timeout: 5000 });
+  for (const [link, start] of [['figure a.download', /^\w+(,\w+)+\n/], ['header a.download', /^{"title"/]]) {
+    const [download] = await Promise.all([
+      page.waitForEvent('download'), page.locator(link).first().click(),
+    ]);
+    assert.match(await readFile(await download.path(), 'utf8'), start);
+  }
+
+  // Light and dark.
+  const look = async (colorScheme) => {
+    await page.emulateMedia({ colorScheme });
+    const colors = await page.evaluate(() => {
+      const { color, backgroundColor } = getComputedStyle(document.body);
+      return [color, backgroundColor];
+    });
+    return { colors, picture: await page.screenshot() };
+  };
+  const light = await look('light');
+  const dark = await look('dark');
+  assert.notDeepEqual(light.colors, dark.colors);
+  assert.ok(!light.picture.equals(dark.picture));
+
+  assert.deepEqual(complaints, []);
+  console.log(`${figures} figures`);
+} finally {
+  await browser.close();
+}
