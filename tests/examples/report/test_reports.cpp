@@ -105,11 +105,11 @@ TEST_CASE("the report of evaluate: accepted, missed and wrong answers", "[exampl
     const WrittenReport report = report_of(files + options);
     CHECK(references(report.page).empty());
     CHECK(times(report.page, "<figure ") >= 6);
-    std::vector<std::string> outcomes;
+    std::vector<std::string> found;
     for (const json& row : report.data.at("figures").at("trajectory").at("rows")) {
-      outcomes.push_back(row.at(4));
+      found.push_back(row.at(4));
     }
-    return outcomes;
+    return found;
   };
   CHECK(outcomes(" --accept 0.65") ==
         std::vector<std::string>{"correct", "correct", "wrong", "missed"});
