@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 
@@ -65,8 +66,9 @@ struct ChanceModel {
     }
     // The prior of the pose: anywhere in the volume, turned any way (8π²).
     const double log_prior = -log_volume - std::log(78.95683520871486);
+    const Eigen::LLT<Eigen::Matrix<double, 6, 6>> root(pose.covariance);
     const double log_posterior_volume =
-        0.5 * (6.0 * log_two_pi + std::log(pose.covariance.determinant()));
+        3.0 * log_two_pi + root.matrixLLT().diagonal().array().log().sum();
     return (log_factor + log_prior + log_posterior_volume) / std::log(10.0);
   }
 

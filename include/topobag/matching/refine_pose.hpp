@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <topobag/version.hpp>
 
@@ -33,7 +34,7 @@ struct PointPair {
   /// Squared Mahalanobis length of the residual: χ² with three degrees of freedom for a true pair.
   double squared_deviation(const Eigen::Isometry3d& T_target_source) const {
     const Eigen::Vector3d r = residual(T_target_source);
-    return r.dot(covariance(T_target_source).ldlt().solve(r));
+    return r.dot(covariance(T_target_source).inverse() * r);
   }
 };
 
@@ -82,7 +83,7 @@ inline RefinedPose refine_pose(Eigen::Isometry3d T_target_source,
   Vector6 g;
   for (int i = 0; i < options.iterations; ++i) {
     normal_equations(H, g);
-    const Vector6 step = H.ldlt().solve(g);
+    const Vector6 step = H.llt().solve(g);
     const Eigen::Vector3d turn = step.tail<3>();
     const double angle = turn.norm();
     Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
@@ -94,7 +95,7 @@ inline RefinedPose refine_pose(Eigen::Isometry3d T_target_source,
   normal_equations(H, g);
   T_target_source.linear() =
       Eigen::Quaterniond(T_target_source.linear()).normalized().toRotationMatrix();
-  return {T_target_source, H.ldlt().solve(Matrix6::Identity())};
+  return {T_target_source, H.llt().solve(Matrix6::Identity())};
 }
 
 }  // namespace v0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -39,7 +40,9 @@ struct RelativePose {
   /// Standard deviation of the rotation about its least certain axis, rad.
   double rotation_deviation() const {
     const Eigen::Matrix3d rotation = covariance.bottomRightCorner<3, 3>();
-    return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rotation).eigenvalues()(2));
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(rotation, Eigen::EigenvaluesOnly);
+    return std::sqrt(std::max(0.0, solver.eigenvalues()(2)));
   }
 
   /// What the decision looks at.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
@@ -34,17 +36,25 @@ inline std::optional<RigidFit> fit_rigid(const Eigen::Matrix3Xd& target,
   TOPOBAG_ASSERT(target.cols() == source.cols());
   TOPOBAG_ASSERT(weights.size() == 0 || weights.size() == source.cols());
   if (source.cols() < 1) return std::nullopt;
-  Eigen::RowVectorXd share = weights.size() == 0
-                                 ? Eigen::RowVectorXd(Eigen::RowVectorXd::Ones(source.cols()))
-                                 : Eigen::RowVectorXd(weights.transpose());
-  share /= share.sum();
-  const Eigen::Vector3d target_mean = target * share.transpose();
-  const Eigen::Vector3d source_mean = source * share.transpose();
-  const Eigen::Matrix3Xd target_centered = target.colwise() - target_mean;
-  const Eigen::Matrix3Xd source_centered = source.colwise() - source_mean;
-  const Eigen::Matrix3Xd source_weighted = source_centered.array().rowwise() * share.array();
-
-  const Eigen::Matrix3d correlation = target_centered * source_weighted.transpose();
+  const auto weight = [&](Eigen::Index i) { return weights.size() == 0 ? 1.0 : weights(i); };
+  double total = 0.0;
+  Eigen::Vector3d target_mean = Eigen::Vector3d::Zero();
+  Eigen::Vector3d source_mean = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < source.cols(); ++i) {
+    total += weight(i);
+    target_mean += weight(i) * target.col(i);
+    source_mean += weight(i) * source.col(i);
+  }
+  target_mean /= total;
+  source_mean /= total;
+  Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < source.cols(); ++i) {
+    const Eigen::Vector3d centered = source.col(i) - source_mean;
+    const Eigen::Vector3d weighted = (weight(i) / total) * centered;
+    correlation += (target.col(i) - target_mean) * weighted.transpose();
+    scatter += centered * weighted.transpose();
+  }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d signs = Eigen::Vector3d::Ones();
@@ -54,11 +64,16 @@ inline std::optional<RigidFit> fit_rigid(const Eigen::Matrix3Xd& target,
   const Eigen::Matrix3d R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
   fit.T_target_source.linear() = R;
   fit.T_target_source.translation() = target_mean - R * source_mean;
-  fit.rms = std::sqrt((target_centered - R * source_centered).colwise().squaredNorm().dot(share));
-  // Singular values of the centred points: the two smaller ones are what a line leaves over.
-  const Eigen::Matrix3d scatter = source_centered * source_weighted.transpose();
-  const Eigen::Vector3d spreads = Eigen::JacobiSVD<Eigen::Matrix3d>(scatter).singularValues();
-  fit.spread = std::sqrt(spreads(1) + spreads(2));
+  double squares = 0.0;
+  for (Eigen::Index i = 0; i < source.cols(); ++i) {
+    const Eigen::Vector3d residual = target.col(i) - fit.T_target_source * source.col(i);
+    squares += weight(i) / total * residual.squaredNorm();
+  }
+  fit.rms = std::sqrt(squares);
+  // The two smaller principal variances of the source points are what a line leaves over.
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> variances;
+  variances.computeDirect(scatter, Eigen::EigenvaluesOnly);
+  fit.spread = std::sqrt(std::max(0.0, variances.eigenvalues()(0) + variances.eigenvalues()(1)));
   return fit;
 }
 
