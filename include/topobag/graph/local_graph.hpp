@@ -143,12 +143,7 @@ class LocalGraph {
     for (const Node& node : nodes) {
       if (!node.position) continue;
       kept.push_back(node);
-      if (node.covariance.isZero(0)) {
-        kept.back().covariance = NodeNoise{}
-                                     .covariance(node.position->template cast<double>(),
-                                                 node.size.template cast<double>(), false)
-                                     .template cast<Scalar>();
-      }
+      kept.back().covariance = position_covariance(node).template cast<Scalar>();
     }
     return kept;
   }
