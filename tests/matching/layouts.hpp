@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <topobag/graph/topology_graph.hpp>
@@ -51,13 +52,15 @@ inline topobag::TopologyGraph<> grid_graph(std::size_t count, std::size_t column
   return topobag::TopologyGraph<>(std::move(nodes));
 }
 
-/// The same graph, each position off by normal noise of `deviation` m along each axis.
+/// The same graph, each position off by `scale` times noise of its own covariance.
 inline topobag::TopologyGraph<> jittered(std::mt19937& random,
-                                         const topobag::TopologyGraph<>& graph, double deviation) {
-  std::normal_distribution<double> noise(0.0, deviation);
+                                         const topobag::TopologyGraph<>& graph, double scale) {
+  std::normal_distribution<double> normal;
   auto nodes = graph.nodes();
   for (auto& node : nodes) {
-    for (Eigen::Index i = 0; i < 3; ++i) (*node.position)(i) += noise(random);
+    const double x = normal(random), y = normal(random), z = normal(random);
+    const Eigen::Vector3d drawn = scale * Eigen::Vector3d(x, y, z);
+    *node.position += node.covariance.llt().matrixL() * drawn;
   }
   return topobag::TopologyGraph<>(std::move(nodes), graph.edges());
 }
