@@ -72,3 +72,13 @@ TEST_CASE("a cut box is less sure across the ray alone", "[sensing]") {
   CHECK(sigma(cut, {1, 0, 0}) > 2.0 * sigma(whole, {1, 0, 0}));
   CHECK(sigma(cut, {0, 0, 1}) == Approx(sigma(whole, {0, 0, 1})));
 }
+
+TEST_CASE("a node keeps its covariance; one that is not modelled gets the default noise",
+          "[sensing]") {
+  SemanticNode<float> node;
+  node.position = Eigen::Vector3f(0.5F, -0.25F, 2.0F);
+  node.size = {0.25F, 0.5F};
+  CHECK(position_covariance(node) == NodeNoise{}.covariance({0.5, -0.25, 2.0}, {0.25, 0.5}, false));
+  node.covariance = 0.25F * Eigen::Matrix3f::Identity();
+  CHECK(position_covariance(node) == 0.25 * Eigen::Matrix3d::Identity());
+}

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
-#include <string>
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -57,8 +58,8 @@ class LocalGraph {
   /// @param T_previous_current  from this key frame's camera to the last added one's; ignored for
   /// the first
   /// @param view                the key frame's camera and occluders; `T_graph_camera` is ignored
-  /// Throws InvalidValue for a stamp that goes back or a pose that is not finite. O(objects ·
-  /// nodes).
+  /// Throws InvalidValue for a stamp that goes back and for a pose or a node (with its index) that
+  /// is not finite. O(objects · nodes).
   void add(double stamp, const std::vector<Node>& nodes, const Pose& T_previous_current,
            View<Scalar> view = {}) {
     if (!std::isfinite(stamp) || (!frames_.empty() && stamp < frames_.back().stamp)) {
@@ -67,11 +68,12 @@ class LocalGraph {
     if (!frames_.empty() && !T_previous_current.matrix().allFinite()) {
       throw InvalidValue("the relative pose is not finite");
     }
+    const std::vector<Node> sighted = placed(TopologyGraph<Scalar>(nodes));
     if (!frames_.empty()) move_to_frame(T_previous_current.inverse());
     forget_before(stamp - options_.window);
     view.T_graph_camera.setIdentity();
     frames_.push_back({stamp, next_view_, std::move(view)});
-    associate(placed(nodes));
+    associate(sighted);
     merge_coincident();
     ++next_view_;
   }
@@ -138,29 +140,31 @@ class LocalGraph {
   }
 
   /// The nodes with a position; one whose covariance is not modelled gets the default noise.
-  static std::vector<Node> placed(const std::vector<Node>& nodes) {
+  static std::vector<Node> placed(const TopologyGraph<Scalar>& graph) {
     std::vector<Node> kept;
-    for (const Node& node : nodes) {
+    for (const Node& node : graph.nodes()) {
       if (!node.position) continue;
       kept.push_back(node);
-      if (node.covariance.isZero(0)) {
-        kept.back().covariance = NodeNoise{}
-                                     .covariance(node.position->template cast<double>(),
-                                                 node.size.template cast<double>(), false)
-                                     .template cast<Scalar>();
-      }
+      kept.back().covariance = position_covariance(node).template cast<Scalar>();
     }
     return kept;
+  }
+
+  /// The estimate of each track.
+  std::vector<Node> fused() const {
+    std::vector<Node> estimates;
+    for (const ObjectTrack<Scalar>& track : tracks_) {
+      estimates.push_back(track.fused(static_cast<Scalar>(options_.correlation)));
+    }
+    return estimates;
   }
 
   /// Gives each node to the nearest object within its gate, nearest pairs first; the rest found new
   /// objects.
   void associate(const std::vector<Node>& nodes) {
-    std::vector<Node> estimates;
-    for (const auto& track : tracks_)
-      estimates.push_back(track.fused(static_cast<Scalar>(options_.correlation)));
-    std::vector<std::tuple<Scalar, std::size_t, std::size_t>>
-        offers;  // deviation in gates, node, track
+    const std::vector<Node> estimates = fused();
+    using Offer = std::tuple<Scalar, std::size_t, std::size_t>;  // deviation in gates, node, track
+    std::vector<Offer> offers;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       for (std::size_t t = 0; t < estimates.size(); ++t) {
         const double gate =
@@ -174,8 +178,7 @@ class LocalGraph {
     std::vector<bool> given(nodes.size(), false), taken(estimates.size(), false);
     for (const auto& [deviation, n, t] : offers) {
       if (given[n]) continue;
-      // A second box on an object already seen in this frame is a duplicate when it lies well
-      // inside the gate.
+      // A second box well inside the gate of an object seen in this frame is a duplicate.
       if (taken[t] && deviation > Scalar(0.33)) continue;
       if (!taken[t]) tracks_[t].sightings.push_back({next_view_, nodes[n]});
       given[n] = taken[t] = true;
@@ -189,10 +192,7 @@ class LocalGraph {
   /// Joins objects that are one: boxes of two classes on one thing, and tracks that split. The
   /// older id stays.
   void merge_coincident() {
-    std::vector<Node> estimates;
-    for (const auto& track : tracks_) {
-      estimates.push_back(track.fused(static_cast<Scalar>(options_.correlation)));
-    }
+    std::vector<Node> estimates = fused();
     for (std::size_t a = 0; a < tracks_.size(); ++a) {
       for (std::size_t b = a + 1; b < tracks_.size();) {
         if (!coincide(tracks_[a], estimates[a], tracks_[b], estimates[b])) {

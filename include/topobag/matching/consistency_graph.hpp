@@ -14,6 +14,7 @@
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/detail/bit_matrix.hpp>
+#include <topobag/sensing/node_noise.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -44,7 +45,7 @@ class ConsistencyGraph {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
       ends.push_back({p.position->template cast<double>(), q.position->template cast<double>(),
-                      p.covariance.template cast<double>(), q.covariance.template cast<double>()});
+                      position_covariance(p), position_covariance(q)});
       query_of_.push_back(value(pair.query));
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {

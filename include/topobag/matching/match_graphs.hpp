@@ -20,6 +20,7 @@
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
+#include <topobag/sensing/node_noise.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -105,7 +106,7 @@ class PoseSearch {
     const auto& p = candidate_.node(pair.candidate);
     const auto& q = query_.node(pair.query);
     return {p.position->template cast<double>(), q.position->template cast<double>(),
-            p.covariance.template cast<double>(), q.covariance.template cast<double>()};
+            position_covariance(p), position_covariance(q)};
   }
 
   std::vector<PointPair> point_pairs(const std::vector<Correspondence>& pairs) const {

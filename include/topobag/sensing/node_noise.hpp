@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include <topobag/version.hpp>
+#include <topobag/types/semantic_node.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -47,6 +47,15 @@ struct NodeNoise {
  private:
   static double square(double x) { return x * x; }
 };
+
+/// The covariance of a node's position, m²: its own, or that of the default noise where it is not
+/// modelled (zero). Precondition: the node has a position.
+template <typename Scalar>
+Eigen::Matrix3d position_covariance(const SemanticNode<Scalar>& node) {
+  if (!node.covariance.isZero(Scalar(0))) return node.covariance.template cast<double>();
+  return NodeNoise{}.covariance(node.position->template cast<double>(),
+                                node.size.template cast<double>(), false);
+}
 
 }  // namespace v0
 }  // namespace topobag

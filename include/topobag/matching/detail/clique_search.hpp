@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <topobag/matching/detail/bit_matrix.hpp>
@@ -93,7 +94,7 @@ class CliqueSearch {
 
   std::size_t groups_met(const BitWord* set) const noexcept {
     std::size_t count = 0;
-    std::size_t last = n_;  // no group has this number
+    std::size_t last = std::numeric_limits<std::size_t>::max();  // no group has this number
     for (std::size_t w = 0; w < words_; ++w) {
       for (BitWord bits = set[w]; bits != 0; bits &= bits - 1) {
         const std::size_t g = group_[w * 64 + lowest_bit(bits)];

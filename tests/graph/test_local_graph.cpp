@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/edges/radius_edges.hpp>
+#include <topobag/graph/local_graph.hpp>
+
+#include "catch.hpp"
+#include "matching/layouts.hpp"
+
+using namespace topobag;
+
+namespace {
+
+const Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
+
+View<> camera_view() {
+  View<> view;
+  view.camera = {500.0, 500.0, 319.5, 239.5, 640, 480};
+  return view;
+}
+
+/// Six objects before a camera that moves sideways and turns, seen with noise in 60 % of the frames
+/// (10 a second); from the second second on each frame adds a box on nothing.
+class FlickeringScene {
+ public:
+  static constexpr std::size_t frames = 80;
+
+  explicit FlickeringScene(unsigned seed) : random_(seed) {}
+
+  static std::vector<SemanticNode<>> things() {
+    return {object_at(1, {-0.7, 0.4, 3.0}), object_at(1, {0.6, 0.5, 3.5}),
+            object_at(2, {0.0, -0.3, 3.0}), object_at(3, {-0.3, 0.1, 2.5}),
+            object_at(4, {0.4, 0.0, 2.6}),  object_at(1, {-0.1, 0.5, 4.0})};
+  }
+
+  static Eigen::Isometry3d T_world_camera(std::size_t frame) {
+    const double share = static_cast<double>(frame) / static_cast<double>(frames) - 0.5;
+    return Eigen::Translation3d(0.8 * share, 0.05 * share, 0) *
+           Eigen::AngleAxisd(-0.1 * share, Eigen::Vector3d::UnitY());
+  }
+
+  std::vector<SemanticNode<>> nodes(std::size_t frame) {
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::vector<SemanticNode<>> seen;
+    for (const auto& thing : things()) {
+      if (unit(random_) < 0.6) seen.push_back(thing);
+    }
+    if (frame >= 10) {
+      const double x = unit(random_), y = unit(random_);
+      seen.push_back(object_at(5, {x - 0.5, y - 0.5, 1.5}));
+    }
+    const TopologyGraph<> in_camera = moved(TopologyGraph<>(seen), T_world_camera(frame).inverse());
+    return jittered(random_, in_camera, 1.0).nodes();
+  }
+
+  static Eigen::Isometry3d T_previous_current(std::size_t frame) {
+    if (frame == 0) return still;
+    return T_world_camera(frame - 1).inverse() * T_world_camera(frame);
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// The fused object nearest to a point, if it is within 0.1 m.
+std::optional<ObjectId> object_near(const LocalGraph<>& local, const Eigen::Vector3d& point,
+                                    ClassId label) {
+  for (const auto& [id, node] : local.objects()) {
+    if (node.label == label && (*node.position - point).norm() < 0.1) return id;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> refused_node(const std::function<void()>& add) {
+  try {
+    add();
+  } catch (const InvalidValue& error) {
+    return error.index();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("flicker and false boxes go, objects keep their ids while the window slides", "[graph]") {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
+    FlickeringScene scene(seed);
+    const auto things = FlickeringScene::things();
+    LocalGraph<> local;
+    std::vector<std::optional<ObjectId>> ids(things.size());
+    for (std::size_t frame = 0; frame < FlickeringScene::frames; ++frame) {
+      local.add(0.1 * static_cast<double>(frame), scene.nodes(frame),
+                FlickeringScene::T_previous_current(frame), camera_view());
+      if (frame < 15) continue;
+      INFO("seed " << seed << ", frame " << frame);
+      REQUIRE(local.objects().size() == things.size());
+      for (std::size_t i = 0; i < things.size(); ++i) {
+        const Eigen::Vector3d there =
+            FlickeringScene::T_world_camera(frame).inverse() * *things[i].position;
+        const auto id = object_near(local, there, things[i].label);
+        REQUIRE(id);
+        if (frame == 15) ids[i] = id;
+        CHECK(id == ids[i]);
+      }
+    }
+    CHECK(local.view_count() <= 31);
+  }
+}
+
+TEST_CASE("fused positions are nearer the truth than single ones", "[graph]") {
+  FlickeringScene scene(9);
+  LocalGraph<> local;
+  const std::size_t last = FlickeringScene::frames - 1;
+  for (std::size_t frame = 0; frame <= last; ++frame) {
+    local.add(0.1 * static_cast<double>(frame), scene.nodes(frame),
+              FlickeringScene::T_previous_current(frame), camera_view());
+  }
+  const auto things = FlickeringScene::things();
+  const auto objects = local.objects();
+  REQUIRE(objects.size() == things.size());
+  for (const auto& thing : things) {
+    const Eigen::Vector3d there = FlickeringScene::T_world_camera(last).inverse() * *thing.position;
+    double nearest = 1.0;
+    for (const auto& [id, node] : objects) {
+      nearest = std::min(nearest, (*node.position - there).norm());
+    }
+    CHECK(nearest < 0.02);  // one sighting is 0.035 m off, r.m.s.
+  }
+}
+
+TEST_CASE("two boxes on one thing are one object", "[graph]") {
+  LocalGraph<> local;
+  for (int frame = 0; frame < 5; ++frame) {
+    SemanticNode<> laptop = object_at(2, {0.02, 0, 2});
+    laptop.confidence = 0.4;
+    local.add(0.1 * frame, {object_at(1, {0, 0, 2}), laptop}, still, camera_view());
+    const auto objects = local.objects();
+    REQUIRE(objects.size() == 1);
+    CHECK(objects[0].first == ObjectId{0});
+    CHECK(objects[0].second.label == ClassId{1});
+    CHECK(objects[0].second.existence == 1.0);
+  }
+}
+
+TEST_CASE("an object keeps its id when the detector wavers between classes", "[graph]") {
+  LocalGraph<> local;
+  for (int frame = 0; frame < 9; ++frame) {
+    local.add(0.1 * frame, {object_at(frame % 3 == 1 ? 2 : 1, {0, 0, 2})}, still, camera_view());
+    REQUIRE(local.objects().size() == 1);
+    CHECK(local.objects()[0].first == ObjectId{0});
+  }
+  CHECK(local.objects()[0].second.label == ClassId{1});
+}
+
+TEST_CASE("neighbours of one class that a view shows together stay two", "[graph]") {
+  LocalGraph<> local;
+  for (int frame = 0; frame < 9; ++frame) {
+    local.add(0.1 * frame, {object_at(1, {0, 0, 2}), object_at(1, {0.3, 0, 2})}, still,
+              camera_view());
+    CHECK(local.objects().size() == 2);
+  }
+}
+
+TEST_CASE("the window forgets, and no id comes again", "[graph]") {
+  LocalGraph<> local;
+  local.add(0.0, {object_at(1, {0, 0, 2})}, still);
+  local.add(3.0, {}, still);
+  REQUIRE(local.objects().size() == 1);
+  CHECK(local.view_count() == 2);
+  local.add(3.1, {}, still);
+  CHECK(local.objects().empty());
+  CHECK(local.view_count() == 2);
+  local.add(3.2, {object_at(1, {0, 0, 2})}, still);
+  REQUIRE(local.objects().size() == 1);
+  CHECK(local.objects()[0].first == ObjectId{1});
+  local.add(100.0, {}, still);
+  CHECK(local.view_count() == 1);
+  CHECK(local.graph().empty());
+}
+
+TEST_CASE("existence is the share of the views due that saw the object", "[graph]") {
+  const SemanticNode<> object = object_at(1, {0, 0, 3});
+  const auto existence_after = [&](const View<>& without) {
+    LocalGraph<> local;
+    local.add(0.0, {object}, still, camera_view());
+    local.add(0.1, {object}, still, camera_view());
+    for (int frame = 2; frame < 5; ++frame) local.add(0.1 * frame, {}, still, without);
+    return local.objects().at(0).second.existence;
+  };
+  View<> hidden = camera_view(), blind;
+  hidden.occluders.push_back({{300, 220, 340, 260}, 1.0});
+  CHECK(existence_after(camera_view()) == Approx(0.4));
+  CHECK(existence_after(hidden) == 1.0);
+  CHECK(existence_after(blind) == 1.0);
+
+  LocalGraph<> local;
+  local.add(0.0, {object}, still, camera_view());
+  for (int frame = 1; frame < 5; ++frame) local.add(0.1 * frame, {}, still, camera_view());
+  CHECK(local.objects().size() == 1);  // one of five
+  local.add(0.5, {}, still, camera_view());
+  CHECK(local.objects().empty());  // one of six
+}
+
+TEST_CASE("everything is in the newest camera's frame", "[graph]") {
+  std::mt19937 random(3);
+  LocalGraph<> local;
+  SemanticNode<> node = object_at(1, {0.3, -0.2, 3});
+  node.covariance = random_covariance(random, 0.05);
+  local.add(0.0, {node}, still, camera_view());
+  Eigen::Isometry3d T_first_newest = still;
+  for (int frame = 1; frame < 6; ++frame) {
+    const Eigen::Isometry3d step = random_motion(random, 0.5);
+    T_first_newest = T_first_newest * step;
+    local.add(0.1 * frame, {}, step, View<>{});
+    const auto objects = local.objects();
+    REQUIRE(objects.size() == 1);
+    const SemanticNode<>& fused = objects[0].second;
+    const Eigen::Matrix3d R = T_first_newest.linear().transpose();
+    const Eigen::Vector3d there = T_first_newest.inverse() * *node.position;
+    CHECK(fused.position->isApprox(there, 1e-9));
+    CHECK(fused.covariance.isApprox(R * node.covariance * R.transpose(), 1e-9));
+    CHECK(fused.z == Approx(std::max(0.0, there.z())));
+    const TopologyGraph<> graph = local.graph();
+    REQUIRE(graph.views().size() == local.view_count());
+    CHECK(graph.views().front().T_graph_camera.isApprox(T_first_newest.inverse(), 1e-9));
+    CHECK(graph.views().back().T_graph_camera.matrix().isIdentity());
+  }
+}
+
+TEST_CASE("an object behind the newest camera has no pixel", "[graph]") {
+  LocalGraph<> local;
+  local.add(0.0, {object_at(1, {0, 0, 2})}, still, camera_view());
+  REQUIRE(local.objects().at(0).second.pixel);
+  CHECK(local.objects()[0].second.pixel->isApprox(Eigen::Vector2d(319.5, 239.5)));
+  local.add(0.1, {}, Eigen::Isometry3d(Eigen::Translation3d(0, 0, 3)), camera_view());
+  CHECK_FALSE(local.objects().at(0).second.pixel);
+  CHECK(local.objects()[0].second.z == 0.0);
+}
+
+TEST_CASE("the graph holds the objects, joined by the builder", "[graph]") {
+  LocalGraph<> local;
+  local.add(0.0, FlickeringScene::things(), still, camera_view());
+  const TopologyGraph<> graph = local.graph(RadiusEdges{1.0});
+  const auto objects = local.objects();
+  REQUIRE(graph.size() == objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    CHECK(graph.nodes()[i].position == objects[i].second.position);
+    CHECK((i == 0 || objects[i - 1].first < objects[i].first));
+  }
+  CHECK(graph.edges() == RadiusEdges{1.0}(graph.nodes()));
+  CHECK(local.graph().edges() == KnnEdges{}(graph.nodes()));
+}
+
+TEST_CASE("a node whose covariance is not modelled gets the default noise", "[graph]") {
+  LocalGraph<> local;
+  SemanticNode<> node = object_at(1, {0.5, 0, 2}), unplaced;
+  node.covariance.setZero();
+  local.add(0.0, {unplaced, node}, still);
+  REQUIRE(local.objects().size() == 1);
+  CHECK(local.objects()[0].second.covariance.isApprox(
+      NodeNoise{}.covariance(*node.position, node.size, false), 1e-9));
+}
+
+TEST_CASE("bad data is refused and changes nothing", "[graph]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const SemanticNode<> object = object_at(1, {0, 0, 2});
+  Eigen::Isometry3d bad_pose = still;
+  bad_pose.translation().x() = nan;
+  LocalGraph<> local;
+  CHECK_THROWS_AS(local.add(nan, {object}, still), InvalidValue);
+  CHECK(local.view_count() == 0);
+  local.add(1.0, {object}, bad_pose);  // of the first key frame: ignored
+  const Eigen::Isometry3d step(Eigen::Translation3d(0, 0, 1));
+  CHECK_THROWS_AS(local.add(0.9, {object}, step), InvalidValue);
+  CHECK_THROWS_AS(local.add(std::numeric_limits<double>::infinity(), {object}, step), InvalidValue);
+  CHECK_THROWS_AS(local.add(1.1, {object}, bad_pose), InvalidValue);
+  CHECK(local.view_count() == 1);
+  REQUIRE(local.objects().size() == 1);
+  CHECK(local.objects()[0].second.position->isApprox(*object.position));
+  local.add(1.0, {}, still);  // the same stamp is no step back
+}
+
+TEST_CASE("a node that is not finite is refused by its index", "[graph][regression]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  SemanticNode<> bad = object_at(1, {0, 0, 2});
+  bad.position->y() = nan;
+  LocalGraph<> local;
+  local.add(0.0, {object_at(1, {0, 0, 2})}, still);
+  const Eigen::Isometry3d step(Eigen::Translation3d(0, 0, 1));
+  CHECK(refused_node([&] { local.add(0.1, {object_at(2, {1, 0, 2}), bad}, step); }) == 1U);
+  REQUIRE(local.graph().size() == 1);
+  CHECK(local.graph().nodes()[0].position->isApprox(Eigen::Vector3d(0, 0, 2)));
+}
