@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -75,4 +76,16 @@ TEST_CASE("one bad box does not change the size", "[graph]") {
   const SemanticNode<> fused = track_of(nodes).fused(0.5);
   CHECK(fused.size == Eigen::Vector2d(0.2, 0.2));
   CHECK(fused.confidence == 1.0);
+}
+
+TEST_CASE("nodes are apart by the noise along the line between them", "[graph]") {
+  SemanticNode<> a = object_at(1, {0, 0, 3}), b = object_at(1, {0.3, 0, 3});
+  a.covariance = Eigen::Vector3d(0.006, 1, 1).asDiagonal();
+  b.covariance = Eigen::Vector3d(0.004, 1, 1).asDiagonal();
+  CHECK(deviations_apart(a, b) == Approx(3.0));
+  CHECK(deviations_apart(b, a) == Approx(3.0));
+  CHECK(deviations_apart(a, a) == 0.0);
+  a.covariance.setZero();
+  b.covariance.setZero();
+  CHECK(deviations_apart(a, b) == std::numeric_limits<double>::infinity());
 }

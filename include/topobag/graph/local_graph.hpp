@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -220,16 +219,6 @@ class LocalGraph {
       }
     }
     return static_cast<double>(deviations_apart(a, b)) < options_.merge_gate;
-  }
-
-  /// Distance of two nodes in standard deviations along the line between them.
-  static Scalar deviations_apart(const Node& a, const Node& b) {
-    const typename Node::Vector3 delta = *a.position - *b.position;
-    const Scalar distance2 = delta.squaredNorm();
-    if (!(distance2 > Scalar(0))) return Scalar(0);
-    const Scalar variance = delta.dot((a.covariance + b.covariance) * delta) / distance2;
-    return variance > Scalar(0) ? std::sqrt(distance2 / variance)
-                                : std::numeric_limits<Scalar>::infinity();
   }
 
   /// Views that saw the object, and views that saw it or should have.

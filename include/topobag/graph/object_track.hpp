@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -17,6 +19,17 @@ inline namespace v0 {
 
 /// An object of a local graph, the same while the window slides.
 enum class ObjectId : std::uint64_t {};
+
+/// Distance of two nodes with positions, in standard deviations along the line between them.
+template <typename Scalar>
+Scalar deviations_apart(const SemanticNode<Scalar>& a, const SemanticNode<Scalar>& b) {
+  const typename SemanticNode<Scalar>::Vector3 delta = *a.position - *b.position;
+  const Scalar distance2 = delta.squaredNorm();
+  if (!(distance2 > Scalar(0))) return Scalar(0);
+  const Scalar variance = delta.dot((a.covariance + b.covariance) * delta) / distance2;
+  return variance > Scalar(0) ? std::sqrt(distance2 / variance)
+                              : std::numeric_limits<Scalar>::infinity();
+}
 
 /// The sightings of one object and what they say together.
 template <typename Scalar_ = double>
