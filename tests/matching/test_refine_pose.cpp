@@ -107,7 +107,7 @@ TEST_CASE("the refined pose is the least-squares one under a wide kernel", "[mat
 
 TEST_CASE("the covariance of the pose is consistent: mean NEES of six", "[matching]") {
   std::mt19937 random(53);
-  const std::size_t matches = 4000;
+  const std::size_t matches = 20000;
   double sum = 0.0;
   for (std::size_t i = 0; i < matches; ++i) {
     const Eigen::Isometry3d T = random_motion(random, 2.0);
