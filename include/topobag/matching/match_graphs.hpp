@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -89,14 +90,17 @@ class PoseSearch {
       RelativePose pose = pose_of(pairs);
       if (pose.inliers.size() >= 3) poses.push_back(std::move(pose));
     }
-    std::stable_sort(poses.begin(), poses.end(), [](const RelativePose& a, const RelativePose& b) {
-      return a.score() > b.score();
+    // Positions are sorted, not poses: stable_sort's buffer is not aligned for AVX's matrices.
+    std::vector<std::size_t> best_first(poses.size());
+    std::iota(best_first.begin(), best_first.end(), std::size_t{0});
+    std::stable_sort(best_first.begin(), best_first.end(), [&](std::size_t a, std::size_t b) {
+      return poses[a].score() > poses[b].score();
     });
-    for (RelativePose& pose : poses) {
+    for (const std::size_t i : best_first) {
       const bool seen =
           std::any_of(match.poses.begin(), match.poses.end(),
-                      [&](const RelativePose& better) { return !distinct(pose, better); });
-      if (!seen) match.poses.push_back(std::move(pose));
+                      [&](const RelativePose& better) { return !distinct(poses[i], better); });
+      if (!seen) match.poses.push_back(std::move(poses[i]));
     }
     return match;
   }
