@@ -21,6 +21,7 @@
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
+#include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/sensing/node_noise.hpp>
 
 namespace topobag {
@@ -30,6 +31,7 @@ struct MatchOptions {
   ConsistencyOptions consistency{};
   ChanceModel chance{};
   MissingObjects missing{};
+  ViewpointPrior viewpoint{};
   RefineOptions refine{};
   std::size_t max_steps = 20000;  ///< branches of the clique search
   std::size_t slack = 1;          ///< cliques this much smaller than the largest are tried as well
@@ -150,6 +152,7 @@ class PoseSearch {
                                                      refined, options_.consistency.classes);
     pose.missing = options_.missing.find(candidate_, query_, pose.inliers, pose.T_candidate_query);
     for (const MissingObject& object : pose.missing) pose.missing_cost += object.cost;
+    pose.viewpoint_odds = options_.viewpoint.log10_odds(pose.T_candidate_query.linear());
     return pose;
   }
 
