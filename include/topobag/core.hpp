@@ -51,6 +51,7 @@
 #include <topobag/matching/chance_model.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/consistency_graph.hpp>
+#include <topobag/matching/consistency_similarity.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/matching/match_nodes.hpp>
