@@ -8,6 +8,7 @@ namespace program {
 // One subcommand each: `add_<name>_command`, in <name>_command.cpp. A command throws
 // topobag::Error on bad input and prints its result to stdout at the very end, so that a failure
 // leaves no half of it there.
+void add_compare_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
 void add_localize_command(CLI::App& app);
 void add_loops_command(CLI::App& app);

@@ -57,6 +57,7 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
   const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
   topobag::LiftOptions lifting;
   lifting.min_confidence = options.min_confidence;
+  lifting.keep = options.keep;
   topobag::LocalGraphOptions fusing;
   fusing.window = options.window;
   topobag::LocalGraph<> local(fusing);
@@ -83,12 +84,22 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
 }
 
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options) {
-  const NodeTable table = read_node_table(set);
+  NodeTable table = read_node_table(set);
+  apply(options.stress, table);
   try {
     return keyframe_graphs(table, options);
   } catch (const topobag::InvalidValue& invalid) {
     throw InputError(set + ".frames.csv", invalid.what());
   }
+}
+
+std::optional<topobag::Trajectory> true_trajectory(const std::vector<Keyframe>& keyframes) {
+  topobag::Trajectory trajectory;
+  for (const Keyframe& keyframe : keyframes) {
+    if (!keyframe.T_world_camera) return std::nullopt;
+    trajectory.push_back({keyframe.timestamp, *keyframe.T_world_camera});
+  }
+  return trajectory;
 }
 
 }  // namespace program

@@ -8,10 +8,13 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/evaluation/trajectory.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
+#include <topobag/types/dynamics.hpp>
 
 #include "node_table.hpp"
+#include "table_stress.hpp"
 
 namespace program {
 
@@ -21,6 +24,9 @@ struct KeyframeOptions {
   double interval = 0.4;            ///< s from one key frame to the next; 0 = every frame
   double window = 3.0;              ///< s of key frames that a graph fuses; 0 = single frames
   double min_confidence = 0.3;      ///< least detector's score
+  topobag::DynamicsSet keep{topobag::Dynamics::low,
+                            topobag::Dynamics::medium};  ///< dynamic filter: levels that are kept
+  TableStress stress{};                                  ///< done to the table by `read_keyframes`
 };
 
 /// A key frame and its graph, which knows nothing of where in the world it is.
@@ -37,7 +43,10 @@ struct Keyframe {
 /// Throws topobag::InvalidValue when a window lacks a pose.
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options);
 
-/// Reads the table and makes the graphs of its key frames. Throws InputError.
+/// Reads the table, puts it under stress and makes the graphs of its key frames. Throws InputError.
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options);
+
+/// The true poses of all key frames; nothing when one is not known.
+std::optional<topobag::Trajectory> true_trajectory(const std::vector<Keyframe>& keyframes);
 
 }  // namespace program

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <string>
-#include <utility>
 
 #include <topobag/recognition/loop_detector.hpp>
 
 #include "commands.hpp"
+#include "look_up.hpp"
 #include "number_check.hpp"
 #include "recognition_options.hpp"
 #include "report/recognition_page.hpp"
-#include "stopwatch.hpp"
 
 namespace program {
 namespace {
 
 struct LoopsArguments {
   std::string nodes;
-  topobag::LoopOptions options;
+  double min_gap = topobag::LoopOptions{}.min_gap;  ///< s
   RecognitionArguments recognition;
   RecognitionReportArguments report;
 };
@@ -24,27 +23,10 @@ struct LoopsArguments {
 void find_loops(const LoopsArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
-  KeyframeOptions keyframe_options = common.keyframes;
-  keyframe_options.camera = with_size(keyframe_options.camera, common.image_size);
-
-  RecognitionRun run;
-  run.map_set = run.query_set = arguments.nodes;
-  run.map = run.queries = read_keyframes(arguments.nodes, keyframe_options);
-  topobag::LoopOptions options = arguments.options;
-  options.recognition = table_recognition_options();
-  topobag::LoopDetector<> loops(options);
-  for (std::size_t i = 0; i < run.queries.size(); ++i) {
-    const Keyframe& query = run.queries[i];
-    const Stopwatch watch;
-    topobag::Recognition recognition = loops.detect(query.timestamp, query.graph);
-    run.look_ups.push_back({std::move(recognition), watch.milliseconds(), {}, {}});
-    if (!query.graph.is_matchable()) continue;
-    topobag::EntryInfo info;
-    info.stamp = query.timestamp;
-    loops.bag().add(topobag::KeyframeId{i}, query.graph, std::move(info));
-  }
+  RecognitionRun run = read_sequence(arguments.nodes, common.keyframes, common.image_size);
+  look_up_earlier(run, arguments.min_gap);
   score(run, common.scoring);
-  write_recognition_report(run, common, arguments.report, arguments.options.min_gap);
+  write_recognition_report(run, common, arguments.report, arguments.min_gap);
   print_report(run, common);
 }
 
@@ -57,7 +39,7 @@ void add_loops_command(CLI::App& app) {
   command.add_option("--nodes", arguments->nodes, "Table: NODES.frames.csv, NODES.nodes.csv")
       ->required();
   command
-      .add_option("--min-gap", arguments->options.min_gap,
+      .add_option("--min-gap", arguments->min_gap,
                   "Age from which a key frame is an earlier visit, s")
       ->check(number_within(0.0))
       ->capture_default_str();

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::to_string(TOPOBAG_VERSION_MAJOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_MINOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_PATCH));
+  program::add_compare_command(app);
   program::add_evaluate_command(app);
   program::add_localize_command(app);
   program::add_loops_command(app);

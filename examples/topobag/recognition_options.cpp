@@ -11,20 +11,13 @@
 namespace program {
 
 void add_recognition_options(CLI::App& command, RecognitionArguments& arguments) {
-  KeyframeOptions& keyframes = arguments.keyframes;
-  add_camera_option(command, "--camera", keyframes.camera,
-                    "Intrinsics fx,fy,cx,cy[,width,height], px")
-      ->required();
-  add_image_size_option(command, arguments.image_size);
+  add_keyframe_options(command, arguments.keyframes, arguments.image_size);
   const auto number = [&](const char* name, double& value, const char* description, double max) {
     command.add_option(name, value, description)
         ->check(number_within(0.0, max))
         ->capture_default_str();
   };
   const double any = std::numeric_limits<double>::infinity();
-  number("--keyframe-interval", keyframes.interval, "From key frame to key frame, s; 0 = all", any);
-  number("--window", keyframes.window, "Key frames fused in one graph, s; 0 = single frames", any);
-  number("--min-confidence", keyframes.min_confidence, "Least score of a detection", 1.0);
   topobag::PoseLimits& limits = arguments.scoring.limits;
   number("--correct-translation", limits.correct_translation_m, "Correct up to, m", any);
   number("--correct-rotation", limits.correct_rotation_deg, "Correct up to, degrees", 180.0);
@@ -34,13 +27,6 @@ void add_recognition_options(CLI::App& command, RecognitionArguments& arguments)
                    "The sequences share no place: every accepted match is wrong");
   command.add_flag("--json", arguments.json, "Report in JSON");
   command.add_flag("--verbose", arguments.verbose, "A line for each key frame")->excludes("--json");
-}
-
-topobag::RecognitionOptions table_recognition_options() {
-  topobag::RecognitionOptions options;
-  options.matching.consistency.classes =
-      topobag::lookalike_classes(topobag::ClassCatalog::coco80());
-  return options;
 }
 
 void require_order(const topobag::PoseLimits& limits) {

@@ -3,10 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <topobag/recognition/relocalizer.hpp>
-
-#include "camera_option.hpp"
-#include "keyframe_graphs.hpp"
+#include "keyframe_options.hpp"
 #include "recognition_run.hpp"
 
 namespace program {
@@ -20,11 +17,8 @@ struct RecognitionArguments {
   bool verbose = false;
 };
 
-/// Adds `--camera`, the key frames' options, the limits of the scoring and the forms of the report.
+/// Adds the key frames' options, the limits of the scoring and the forms of the report.
 void add_recognition_options(CLI::App& command, RecognitionArguments& arguments);
-
-/// The library's defaults, for the classes of a node table.
-topobag::RecognitionOptions table_recognition_options();
 
 /// Throws InputError where a match would be correct and wrong at once.
 void require_order(const topobag::PoseLimits& limits);

@@ -42,6 +42,8 @@ details div { max-height: 300px; overflow: auto }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums }
 th, td { padding: 1px 12px 1px 0; text-align: right; white-space: nowrap }
 th { position: sticky; top: 0; background: var(--card) }
+.table { overflow-x: auto; font-size: 13.5px }
+.table .name { text-align: left }
 .download { font-size: 13px }
 svg { display: block; width: 100%; height: auto }
 .plot text { font: 12px system-ui, sans-serif; fill: var(--text) }

@@ -18,15 +18,6 @@
 namespace program {
 namespace {
 
-std::optional<topobag::Trajectory> trajectory_of(const std::vector<Keyframe>& keyframes) {
-  topobag::Trajectory trajectory;
-  for (const Keyframe& keyframe : keyframes) {
-    if (!keyframe.T_world_camera) return std::nullopt;
-    trajectory.push_back({keyframe.timestamp, *keyframe.T_world_camera});
-  }
-  return trajectory;
-}
-
 /// Two views that share half of what they see, up to the depth of a room, are of one place.
 topobag::PlaceProtocol protocol_of(const std::string& text, const topobag::PinholeCamera<>& camera,
                                    std::optional<double> loop_gap) {
@@ -47,8 +38,8 @@ class RecognitionPage {
   RecognitionPage(const RecognitionRun& run, const RecognitionArguments& arguments,
                   const std::string& protocol, std::optional<double> loop_gap)
       : run_(run), arguments_(arguments), loop_gap_(loop_gap) {
-    auto queries = trajectory_of(run.queries);
-    auto map = trajectory_of(run.map);
+    auto queries = true_trajectory(run.queries);
+    auto map = true_trajectory(run.map);
     if (!queries || !map || arguments.scoring.different_places) return;
     const topobag::PlaceProtocol declared = protocol_of(
         protocol, with_size(arguments.keyframes.camera, arguments.image_size), loop_gap);

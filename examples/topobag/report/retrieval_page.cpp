@@ -125,7 +125,11 @@ void add_facts(Report& report, const KnownPlaces& places, const RetrievalRun& ru
   const topobag::PairTotals totals = topobag::sum_of_totals(method.labelled);
   auto& facts = report.facts;
   facts.emplace_back("Scores", method.name + (method.sign < 0.0 ? ", lower is better" : ""));
-  if (run.methods.size() > 1) facts.emplace_back("Held against", run.methods[1].name);
+  std::string others;
+  for (std::size_t i = 1; i < run.methods.size(); ++i) {
+    others += (i > 1 ? ", " : "") + run.methods[i].name;
+  }
+  if (!others.empty()) facts.emplace_back("Held against", others);
   facts.emplace_back("Protocol: what a true place is", topobag::to_string(places.truth.protocol()));
   facts.emplace_back("Queries × candidates", std::to_string(places.queries.size()) + " × " +
                                                  std::to_string(places.map.size()));

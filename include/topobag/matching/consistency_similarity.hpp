@@ -28,9 +28,9 @@ inline namespace v0 {
 ///
 /// Uses neither pixels nor edges and does not change with the camera's motion. A mirror image is as
 /// good as the original and chance agreement counts like any other: what a match is worth,
-/// `verify_candidates` says. When the search's budget ends first, S is that of the largest set seen,
-/// still the same in both orders of the arguments and any order of the nodes.
-/// Descriptor O(n log n); similarity that of `match_nodes`.
+/// `verify_candidates` says. When the search's budget ends first, S is that of the largest set
+/// seen, still the same in both orders of the arguments and any order of the nodes. Descriptor O(n
+/// log n); similarity that of `match_nodes`.
 struct ConsistencySimilarity {
   MatchNodesOptions matching{};
   double sigma = 0.075;  ///< m, > 0; of the difference of two distances that agree

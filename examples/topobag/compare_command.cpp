@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <topobag/evaluation/protocol_text.hpp>
+
+#include "commands.hpp"
+#include "comparison.hpp"
+#include "input_error.hpp"
+#include "keyframe_options.hpp"
+#include "look_up.hpp"
+#include "number_check.hpp"
+#include "report/comparison_page.hpp"
+#include "report/report_options.hpp"
+#include "similarity_scores.hpp"
+
+namespace program {
+namespace {
+
+struct CompareArguments {
+  std::string nodes;
+  MapAndQuery tables;
+  double min_gap = 20.0;  ///< s
+  KeyframeOptions keyframes;
+  ImageSize image_size;
+  std::string protocol = "distance=0.5,angle=30,negative-distance=1,negative-angle=45";
+  std::size_t verified = 10;
+  bool json = false;
+  ReportFiles files;
+
+  bool one_sequence() const { return !nodes.empty(); }
+};
+
+RecognitionRun read_run(const CompareArguments& arguments, const KeyframeOptions& keyframes) {
+  return arguments.one_sequence()
+             ? read_sequence(arguments.nodes, keyframes, arguments.image_size)
+             : read_map_and_query(arguments.tables, keyframes, arguments.image_size);
+}
+
+KnownPlaces places_of(const RecognitionRun& run, const CompareArguments& arguments) {
+  auto queries = true_trajectory(run.queries);
+  auto map = true_trajectory(run.map);
+  if (!queries) throw InputError(run.query_set + ".frames.csv", "not every key frame has a pose");
+  if (!map) throw InputError(run.map_set + ".frames.csv", "not every key frame has a pose");
+  topobag::PlaceProtocol protocol = topobag::parse_protocol(arguments.protocol);
+  if (arguments.one_sequence()) {
+    protocol.exclude_seconds = arguments.min_gap;
+    protocol.past_only = true;
+  }
+  const topobag::PlaceTruth truth = arguments.one_sequence()
+                                        ? topobag::PlaceTruth(protocol, *queries)
+                                        : topobag::PlaceTruth(protocol, *queries, *map);
+  return {*std::move(queries), *std::move(map), truth};
+}
+
+/// A similarity's best answers to each query, among the pairs that the protocol evaluates or
+/// ignores.
+std::vector<std::vector<topobag::Candidate>> best_answers(const topobag::ScoreMatrix& scores,
+                                                          const topobag::PlaceTruth& truth,
+                                                          std::size_t count) {
+  std::vector<std::vector<topobag::Candidate>> answers(truth.num_queries());
+  for (std::size_t query = 0; query < truth.num_queries(); ++query) {
+    for (std::size_t candidate = 0; candidate < truth.num_candidates(); ++candidate) {
+      if (truth.relation(query, candidate) == topobag::PairRelation::excluded) continue;
+      const double score =
+          scores(static_cast<Eigen::Index>(query), static_cast<Eigen::Index>(candidate));
+      answers[query].push_back({topobag::KeyframeId{candidate}, score});
+    }
+    std::sort(answers[query].begin(), answers[query].end());
+    answers[query].resize(std::min(count, answers[query].size()));
+  }
+  return answers;
+}
+
+/// The default's answers with their poses, by the scores that order them.
+topobag::ScoreList verified_pairs(const RecognitionRun& run) {
+  topobag::ScoreList list;
+  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
+    for (const topobag::CandidateReport& report : run.look_ups[i].recognition.candidates) {
+      const auto candidate = static_cast<std::uint32_t>(topobag::value(report.id));
+      list.pairs.push_back({static_cast<std::uint32_t>(i), candidate, report.margin()});
+    }
+  }
+  return list;
+}
+
+double total_milliseconds(const RecognitionRun& run) {
+  double total = 0.0;
+  for (const LookUp& look_up : run.look_ups) total += look_up.milliseconds;
+  return total;
+}
+
+/// The library at its defaults: retrieval, then verification, which orders the candidates.
+ComparedMethod default_method(RecognitionRun& run, const topobag::ScoreList& pairs,
+                              const topobag::PlaceTruth& truth) {
+  ComparedMethod method{"default", "the library: retrieval, verification, decision"};
+  method.labelled = topobag::label_scores(pairs.pairs, truth);
+  method.pair_us = 1e3 * total_milliseconds(run) / static_cast<double>(pairs.pairs.size());
+  method.poses = summarize(run);
+  return method;
+}
+
+/// The paper's whole pipeline: only what hardly moves, single frames, Delaunay in the image,
+/// eq. 12.
+ComparedMethod paper_method(const CompareArguments& arguments, const topobag::PlaceTruth& truth) {
+  KeyframeOptions keyframes = arguments.keyframes;
+  keyframes.window = 0.0;
+  keyframes.keep = {topobag::Dynamics::low};
+  const RecognitionRun run = read_run(arguments, keyframes);
+  const SimilarityScores scores = score_padded_cosine(run.queries, run.map);
+  ComparedMethod method{"paper's whole pipeline",
+                        "static objects, single frames, image Delaunay, eq. 12; no pose"};
+  method.labelled = topobag::label_scores(scores.scores, truth);
+  method.pair_us = scores.pair_us;
+  return method;
+}
+
+void compare(const CompareArguments& arguments) {
+  RecognitionRun run = read_run(arguments, arguments.keyframes);
+  const KnownPlaces places = places_of(run, arguments);
+  const Scoring scoring;
+  Comparison comparison{run.map_set,
+                        run.query_set,
+                        topobag::to_string(places.truth.protocol()),
+                        arguments.verified,
+                        {}};
+
+  if (arguments.one_sequence()) {
+    look_up_earlier(run, arguments.min_gap);
+  } else {
+    look_up_in_map(run);
+  }
+  score(run, scoring);
+  const topobag::ScoreList pairs = verified_pairs(run);
+  comparison.methods.push_back(default_method(run, pairs, places.truth));
+  comparison.methods.push_back(paper_method(arguments, places.truth));
+  for (SimilarityScores& similarity : score_similarities(run.queries, run.map)) {
+    ComparedMethod method{std::move(similarity.name), std::move(similarity.meaning)};
+    method.labelled = topobag::label_scores(similarity.scores, places.truth);
+    method.pair_us = similarity.pair_us;
+    verify(run, best_answers(similarity.scores, places.truth, arguments.verified));
+    score(run, scoring);
+    method.poses = summarize(run);
+    comparison.methods.push_back(std::move(method));
+  }
+  if (wanted(arguments.files)) {
+    write_report(comparison_report(comparison, places, pairs, arguments.one_sequence()),
+                 arguments.files);
+  }
+  std::cout << (arguments.json ? to_json(comparison) : to_table(comparison));
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("compare", "Holds the similarities against each other on the same pairs");
+  const auto arguments = std::make_shared<CompareArguments>();
+  CLI::Option* const nodes =
+      command.add_option("--nodes", arguments->nodes, "Table whose earlier places are looked for");
+  CLI::Option* const map =
+      command.add_option("--map", arguments->tables.map, "Or: table of the map");
+  CLI::Option* const query = command.add_option("--query", arguments->tables.query,
+                                                "and table of the key frames to look up");
+  nodes->excludes(map)->excludes(query);
+  map->needs(query);
+  query->needs(map);
+  command
+      .add_option("--min-gap", arguments->min_gap,
+                  "With --nodes: age from which a key frame is an earlier visit, s")
+      ->check(number_within(0.0))
+      ->capture_default_str();
+  add_keyframe_options(command, arguments->keyframes, arguments->image_size);
+  add_camera_option(command, "--map-camera", arguments->tables.map_camera,
+                    "The map's camera, where it is another one");
+  command.add_option("--protocol", arguments->protocol, "What a true place is, as in evaluate")
+      ->capture_default_str();
+  command
+      .add_option("--verified", arguments->verified,
+                  "Best answers of a similarity that are verified for a pose")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_report_options(command, arguments->files);
+  command.add_flag("--json", arguments->json, "Report in JSON");
+  command.callback([arguments] {
+    if (!arguments->one_sequence() && arguments->tables.map.empty()) {
+      throw InputError("give either --nodes or --map and --query");
+    }
+    compare(*arguments);
+  });
+}
+
+}  // namespace program

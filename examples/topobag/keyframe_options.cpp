@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "keyframe_options.hpp"
+
+#include <limits>
+
+#include "number_check.hpp"
+
+namespace program {
+
+void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize& image_size) {
+  add_camera_option(command, "--camera", options.camera,
+                    "Intrinsics fx,fy,cx,cy[,width,height], px")
+      ->required();
+  add_image_size_option(command, image_size);
+  const auto number = [&](const char* name, double& value, const char* description, double max) {
+    command.add_option(name, value, description)
+        ->check(number_within(0.0, max))
+        ->capture_default_str();
+  };
+  const double any = std::numeric_limits<double>::infinity();
+  number("--keyframe-interval", options.interval, "From key frame to key frame, s; 0 = all", any);
+  number("--window", options.window, "Key frames fused in one graph, s; 0 = single frames", any);
+  number("--min-confidence", options.min_confidence, "Least score of a detection", 1.0);
+  TableStress& stress = options.stress;
+  number("--depth-noise", stress.depth_noise, "Stress: depths times 1 + this * N(0, 1)", any);
+  number("--drop", stress.drop, "Stress: probability that a detection is dropped", 1.0);
+  number("--flip", stress.flip, "Stress: probability that its class is another of the table's",
+         1.0);
+  command.add_option("--seed", stress.seed, "Of the stress")->capture_default_str();
+}
+
+RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions options,
+                                  const ImageSize& image_size) {
+  options.camera = with_size(options.camera, image_size);
+  KeyframeOptions map_options = options;
+  if (tables.map_camera.fx > 0.0) map_options.camera = with_size(tables.map_camera, image_size);
+  options.stress.stream = map_options.stress.stream + 1;
+  RecognitionRun run;
+  run.map_set = tables.map;
+  run.query_set = tables.query;
+  run.map = read_keyframes(tables.map, map_options);
+  run.queries = read_keyframes(tables.query, options);
+  return run;
+}
+
+RecognitionRun read_sequence(const std::string& nodes, KeyframeOptions options,
+                             const ImageSize& image_size) {
+  options.camera = with_size(options.camera, image_size);
+  RecognitionRun run;
+  run.map_set = run.query_set = nodes;
+  run.map = run.queries = read_keyframes(nodes, options);
+  return run;
+}
+
+}  // namespace program

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "camera_option.hpp"
+#include "keyframe_graphs.hpp"
+#include "recognition_run.hpp"
+
+namespace program {
+
+/// Adds `--camera`, `--image-size`, how key frames are made, and what stress the table is put
+/// under.
+void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize& image_size);
+
+/// A map and the key frames to look up in it.
+struct MapAndQuery {
+  std::string map;
+  std::string query;
+  topobag::PinholeCamera<> map_camera;  ///< no focal length: that of the query
+};
+
+/// Reads both tables. Throws InputError.
+RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions options,
+                                  const ImageSize& image_size);
+
+/// Reads a table whose key frames are looked up among themselves. Throws InputError.
+RecognitionRun read_sequence(const std::string& nodes, KeyframeOptions options,
+                             const ImageSize& image_size);
+
+}  // namespace program
