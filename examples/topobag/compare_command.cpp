@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <topobag/evaluation/protocol_text.hpp>
+#include <topobag/recognition/place_score.hpp>
 
 #include "commands.hpp"
 #include "comparison.hpp"
@@ -76,16 +77,28 @@ std::vector<std::vector<topobag::Candidate>> best_answers(const topobag::ScoreMa
   return answers;
 }
 
-/// The default's answers with their poses, by the scores that order them.
-topobag::ScoreList verified_pairs(const RecognitionRun& run) {
-  topobag::ScoreList list;
+/// The default's score of every pair: verified where the library verifies it, else by the bag's
+/// similarity alone.
+topobag::ScoreMatrix place_scores(const RecognitionRun& run) {
+  topobag::ScoreMatrix scores = score_by_bag(run.queries, run.map).scores;
+  for (Eigen::Index i = 0; i < scores.size(); ++i) {
+    topobag::CandidateReport unverified;
+    unverified.similarity = scores.data()[i];
+    scores.data()[i] = topobag::place_score(unverified);
+  }
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
     for (const topobag::CandidateReport& report : run.look_ups[i].recognition.candidates) {
-      const auto candidate = static_cast<std::uint32_t>(topobag::value(report.id));
-      list.pairs.push_back({static_cast<std::uint32_t>(i), candidate, report.margin()});
+      scores(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(topobag::value(report.id))) =
+          topobag::place_score(report);
     }
   }
-  return list;
+  return scores;
+}
+
+std::size_t verified_pairs(const RecognitionRun& run) {
+  std::size_t pairs = 0;
+  for (const LookUp& look_up : run.look_ups) pairs += look_up.recognition.candidates.size();
+  return pairs;
 }
 
 double total_milliseconds(const RecognitionRun& run) {
@@ -94,12 +107,13 @@ double total_milliseconds(const RecognitionRun& run) {
   return total;
 }
 
-/// The library at its defaults: retrieval, then verification, which orders the candidates.
-ComparedMethod default_method(RecognitionRun& run, const topobag::ScoreList& pairs,
+/// The library at its defaults.
+ComparedMethod default_method(const RecognitionRun& run, const topobag::ScoreMatrix& scores,
                               const topobag::PlaceTruth& truth) {
-  ComparedMethod method{"default", "the library: retrieval, verification, decision"};
-  method.labelled = topobag::label_scores(pairs.pairs, truth);
-  method.pair_us = 1e3 * total_milliseconds(run) / static_cast<double>(pairs.pairs.size());
+  ComparedMethod method{
+      "default", "the library: retrieval, all verified, ranked by verification and viewpoint"};
+  method.labelled = topobag::label_scores(scores, truth);
+  method.pair_us = 1e3 * total_milliseconds(run) / static_cast<double>(verified_pairs(run));
   method.poses = summarize(run);
   return method;
 }
@@ -135,8 +149,8 @@ void compare(const CompareArguments& arguments) {
     look_up_in_map(run);
   }
   score(run, scoring);
-  const topobag::ScoreList pairs = verified_pairs(run);
-  comparison.methods.push_back(default_method(run, pairs, places.truth));
+  const topobag::ScoreMatrix scores = place_scores(run);
+  comparison.methods.push_back(default_method(run, scores, places.truth));
   comparison.methods.push_back(paper_method(arguments, places.truth));
   for (SimilarityScores& similarity : score_similarities(run.queries, run.map)) {
     ComparedMethod method{std::move(similarity.name), std::move(similarity.meaning)};
@@ -148,7 +162,7 @@ void compare(const CompareArguments& arguments) {
     comparison.methods.push_back(std::move(method));
   }
   if (wanted(arguments.files)) {
-    write_report(comparison_report(comparison, places, pairs, arguments.one_sequence()),
+    write_report(comparison_report(comparison, places, scores, arguments.one_sequence()),
                  arguments.files);
   }
   std::cout << (arguments.json ? to_json(comparison) : to_table(comparison));

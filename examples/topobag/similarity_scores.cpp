@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <utility>
 
+#include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/matching/consistency_similarity.hpp>
 #include <topobag/similarity/affinity_cosine.hpp>
 #include <topobag/similarity/class_histogram.hpp>
-#include <topobag/similarity/class_pair_distance_histogram.hpp>
 #include <topobag/similarity/class_triangles.hpp>
 #include <topobag/similarity/label_walks.hpp>
 #include <topobag/similarity/padded_cosine.hpp>
@@ -59,6 +59,12 @@ SimilarityScores score_padded_cosine(const std::vector<Keyframe>& queries,
                   queries, map);
 }
 
+SimilarityScores score_by_bag(const std::vector<Keyframe>& queries,
+                              const std::vector<Keyframe>& map) {
+  return score_by(topobag::BagOfTopologyGraphs<>::Similarity{}, "class pairs x distance",
+                  "the bag's own retrieval", queries, map);
+}
+
 std::vector<SimilarityScores> score_similarities(const std::vector<Keyframe>& queries,
                                                  const std::vector<Keyframe>& map) {
   using namespace topobag;
@@ -80,7 +86,7 @@ std::vector<SimilarityScores> score_similarities(const std::vector<Keyframe>& qu
   add("class counts, Jaccard", "bag of objects", ClassHistogram{});
   add("class counts, tf-idf", "bag of objects, weights learnt from the map",
       ClassHistogram{HistogramMeasure::cosine, idf});
-  add("class pairs x distance", "the bag's own retrieval", ClassPairDistanceHistogram{});
+  all.push_back(score_by_bag(queries, map));
   add("class triangles", "STD with classes at the corners", ClassTriangles{});
   add("label walks", "X-View, the paper's [24]", LabelWalks{});
   SurroundingLabels pairs;

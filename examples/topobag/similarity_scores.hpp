@@ -23,6 +23,10 @@ struct SimilarityScores {
 std::vector<SimilarityScores> score_similarities(const std::vector<Keyframe>& queries,
                                                  const std::vector<Keyframe>& map);
 
+/// The similarity by which the bag retrieves.
+SimilarityScores score_by_bag(const std::vector<Keyframe>& queries,
+                              const std::vector<Keyframe>& map);
+
 /// The paper's similarity, eq. 12, in the detector's order.
 SimilarityScores score_padded_cosine(const std::vector<Keyframe>& queries,
                                      const std::vector<Keyframe>& map);

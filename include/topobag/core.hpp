@@ -64,6 +64,7 @@
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/query.hpp>
 #include <topobag/recognition/loop_detector.hpp>
+#include <topobag/recognition/place_score.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 #include <topobag/recognition/verdict.hpp>

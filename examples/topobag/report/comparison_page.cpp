@@ -50,13 +50,13 @@ double average_precision(const ComparedMethod& method) {
 }  // namespace
 
 Report comparison_report(const Comparison& comparison, const KnownPlaces& places,
-                         const topobag::ScoreList& pairs, bool one_sequence) {
+                         const topobag::ScoreMatrix& scores, bool one_sequence) {
   const std::vector<ComparedMethod>& methods = comparison.methods;
   const auto best_other = std::max_element(
       methods.begin() + 2, methods.end(),
       [](const auto& a, const auto& b) { return average_precision(a) < average_precision(b); });
   RetrievalRun run;
-  run.scores = pairs;
+  run.scores = scores;
   run.one_trajectory = one_sequence;
   for (const ComparedMethod* method : {&methods[0], &methods[1], &*best_other}) {
     run.methods.push_back({method->name, method->labelled, 1.0});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <topobag/evaluation/score_csv.hpp>
+#include <topobag/evaluation/labelled_scores.hpp>
 
 #include "comparison.hpp"
 #include "html_page.hpp"
@@ -11,8 +11,8 @@ namespace program {
 
 /// The table of a comparison, and the figures of its first method's scores beside the curves of its
 /// second and of the best of the others.
-/// @param pairs  the first method's
+/// @param scores  the first method's
 Report comparison_report(const Comparison& comparison, const KnownPlaces& places,
-                         const topobag::ScoreList& pairs, bool one_sequence);
+                         const topobag::ScoreMatrix& scores, bool one_sequence);
 
 }  // namespace program
