@@ -146,7 +146,7 @@ double print(const char* what, std::size_t nodes, const std::vector<double>& tim
 struct Tables {
   std::string map = TOPOBAG_SAMPLE "/fr1_xyz";
   std::string query = TOPOBAG_SAMPLE "/fr1_rpy";
-  program::KeyframeOptions options{{517.3, 516.5, 318.6, 255.3, 640, 480}, 0.4, 3.0, 0.3};
+  program::KeyframeOptions options{{517.3, 516.5, 318.6, 255.3, 640, 480}, 0.4, 3.0, 0.1};
 };
 
 void bench_pose(const Tables& tables) {

@@ -31,6 +31,7 @@ struct CompareArguments {
   std::string protocol = "distance=0.5,angle=30,negative-distance=1,negative-angle=45";
   std::size_t verified = 10;
   bool json = false;
+  bool markdown = false;
   ReportFiles files;
 
   bool one_sequence() const { return !nodes.empty(); }
@@ -165,7 +166,9 @@ void compare(const CompareArguments& arguments) {
     write_report(comparison_report(comparison, places, scores, arguments.one_sequence()),
                  arguments.files);
   }
-  std::cout << (arguments.json ? to_json(comparison) : to_table(comparison));
+  std::cout << (arguments.json       ? to_json(comparison)
+                : arguments.markdown ? to_markdown(comparison)
+                                     : to_table(comparison));
 }
 
 }  // namespace
@@ -200,6 +203,7 @@ void add_compare_command(CLI::App& app) {
       ->capture_default_str();
   add_report_options(command, arguments->files);
   command.add_flag("--json", arguments->json, "Report in JSON");
+  command.add_flag("--markdown", arguments->markdown, "The table in Markdown")->excludes("--json");
   command.callback([arguments] {
     if (!arguments->one_sequence() && arguments->tables.map.empty()) {
       throw InputError("give either --nodes or --map and --query");

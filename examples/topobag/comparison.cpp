@@ -7,6 +7,8 @@
 #include <topobag/evaluation/precision_recall.hpp>
 #include <topobag/evaluation/recall_at_k.hpp>
 
+#include "report/html_text.hpp"
+
 namespace program {
 
 std::vector<ComparisonNumber> numbers_of(const ComparedMethod& method) {
@@ -52,29 +54,45 @@ std::string to_json(const Comparison& comparison) {
   return output_text(json, true);
 }
 
+std::string to_markdown(const Comparison& comparison) {
+  std::string head = "| method |", rule = "|---|", rows;
+  for (const ComparisonNumber& number : numbers_of({})) {
+    head += std::string(" ") + number.heading + " |";
+    rule += "---|";
+  }
+  for (const ComparedMethod& method : comparison.methods) {
+    rows += "| " + method.name + " |";
+    for (const ComparisonNumber& number : numbers_of(method)) {
+      rows += ' ' + (number.value ? fixed_text(*number.value, number.decimals) : "–") + " |";
+    }
+    rows += '\n';
+  }
+  return head + '\n' + rule + '\n' + rows;
+}
+
 std::string to_table(const Comparison& comparison) {
   std::ostringstream out;
-  out << std::fixed << std::left << std::setw(24) << "method" << std::right;
-  for (const ComparisonNumber& number : numbers_of({})) out << std::setw(10) << number.heading;
+  const auto cell = [&](const std::string& text) { out << std::right << std::setw(10) << text; };
+  const auto name = [&](const std::string& text) { out << std::left << std::setw(24) << text; };
+  name("method");
+  for (const ComparisonNumber& number : numbers_of({})) cell(number.heading);
   for (const ComparedMethod& method : comparison.methods) {
-    out << '\n' << std::left << std::setw(24) << method.name << std::right;
+    out << '\n';
+    name(method.name);
     for (const ComparisonNumber& number : numbers_of(method)) {
-      out << std::setw(10) << std::setprecision(number.decimals);
-      if (number.value) {
-        out << *number.value;
-      } else {
-        out << '-';
-      }
+      cell(number.value ? fixed_text(*number.value, number.decimals) : "-");
     }
   }
   out << "\n\n"
       << name_of(comparison.query_set) << " in " << name_of(comparison.map_set)
-      << "; a true place: " << comparison.protocol
-      << ".\nAP, AUC-PR, R@100P and F1max of each query's best answer; R@K of "
-      << "the queries with a true place.\nAccepted and verdicts: the library's verification of a "
-      << "similarity's best " << comparison.verified << " answers.\n";
+      << "; a true place: " << comparison.protocol << ".\n"
+      << "AP, AUC-PR, R@100P and F1max of each query's best answer; R@K of the queries with a true "
+         "place.\nAccepted and verdicts: the library's verification of a similarity's best "
+      << comparison.verified << " answers.\n";
   for (const ComparedMethod& method : comparison.methods) {
-    out << "  " << std::left << std::setw(24) << method.name << method.meaning << '\n';
+    out << "  ";
+    name(method.name);
+    out << method.meaning << '\n';
   }
   return out.str();
 }

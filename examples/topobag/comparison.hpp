@@ -44,7 +44,10 @@ std::vector<ComparisonNumber> numbers_of(const ComparedMethod& method);
 
 std::string to_json(const Comparison& comparison);
 
-/// The table for a reader.
+/// The table in Markdown.
+std::string to_markdown(const Comparison& comparison);
+
+/// The table for a reader, with what its rows and columns are.
 std::string to_table(const Comparison& comparison);
 
 }  // namespace program

@@ -99,6 +99,16 @@ TEST_CASE("the scoring's limits are options", "[examples]") {
         "--wrong-translation: wrong begins below where correct ends");
 }
 
+TEST_CASE("stress costs matches, and a seed repeats it", "[examples]") {
+  const Json calm = localize(""), first = localize("--depth-noise 0.2 --drop 0.5 --flip 0.3");
+  CHECK(first.at("accepted") < calm.at("accepted"));
+  CHECK(localize("--depth-noise 0.2 --drop 0.5 --flip 0.3 --seed 1").at("matches") ==
+        first.at("matches"));
+  CHECK(localize("--depth-noise 0.2 --drop 0.5 --flip 0.3 --seed 2").at("matches") !=
+        first.at("matches"));
+  CHECK(localize("--drop 1").at("queries") == 0);
+}
+
 TEST_CASE("the map may have a camera of its own", "[examples]") {
   const Json same = localize("--map-camera 517.3,516.5,318.6,255.3,640,480");
   CHECK(same.at("accepted") == localize("").at("accepted"));
@@ -167,6 +177,10 @@ TEST_CASE("bad options end localize with one line", "[examples]") {
         std::string::npos);
   CHECK(refusal(sets + "--keyframe-interval -1").find("--keyframe-interval") != std::string::npos);
   CHECK(refusal(sets + "--min-confidence 1.5").find("[0, 1]") != std::string::npos);
+  refusal(sets + "--depth-noise -1");
+  refusal(sets + "--drop 1.1");
+  refusal(sets + "--flip nan");
+  refusal(sets + "--seed -1");
   CHECK(refusal(sets + "--image-size 640") ==
         "--image-size 640: there are not 2 numbers; give width,height");
   CHECK(refusal(sets + "--map-camera 5,5").find("--map-camera 5,5: there are not 4 or 6 numbers") ==

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "examples/report/page_text.hpp"
+#include "run_program.hpp"
+#include "sample.hpp"
+
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string sets = "compare --map " + sample_map + " --query " + sample_query;
+
+Json compare(const std::string& arguments) {
+  const ProgramRun run = run_program(arguments + sample_options + " --json");
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.err.empty());
+  return Json::parse(run.out);
+}
+
+const Json& method(const Json& comparison, const std::string& name) {
+  const Json& methods = comparison.at("methods");
+  const auto it = std::find_if(methods.begin(), methods.end(),
+                               [&](const Json& m) { return m.at("name") == name; });
+  REQUIRE(it != methods.end());
+  return *it;
+}
+
+}  // namespace
+
+TEST_CASE("compare gives every method the same pairs and the same numbers", "[examples]") {
+  const Json comparison = compare(sets);
+  CHECK(comparison.at("protocol") == "distance=0.5,angle=30,negative-distance=1,negative-angle=45");
+  CHECK(comparison.at("methods").size() >= 17);
+  std::set<std::string> names;
+  for (const Json& row : comparison.at("methods")) {
+    CAPTURE(row.at("name"));
+    names.insert(row.at("name").get<std::string>());
+    for (const char* metric : {"average_precision", "auc_pr", "recall_at_1", "recall_at_5",
+                               "recall_at_100p", "f1_max"}) {
+      CHECK(row.at(metric) >= 0.0);
+      CHECK(row.at(metric) <= 1.0);
+    }
+    CHECK(row.at("recall_at_1") <= row.at("recall_at_5"));
+    CHECK(row.at("pair_us") > 0.0);
+    if (row.at("name") == "paper's whole pipeline") {
+      CHECK(row.at("accepted").is_null());
+      continue;
+    }
+    CHECK(row.at("accepted") == row.at("correct").get<int>() + row.at("imprecise").get<int>() +
+                                    row.at("wrong").get<int>());
+  }
+  CHECK(names.size() == comparison.at("methods").size());
+}
+
+TEST_CASE("the default of compare is what localize does", "[examples]") {
+  const ProgramRun run = run_program("localize --map " + sample_map + " --query " + sample_query +
+                                     sample_options + " --json");
+  const Json localized = Json::parse(run.out);
+  const Json comparison = compare(sets);
+  for (const char* count : {"accepted", "correct", "imprecise", "wrong"}) {
+    CHECK(method(comparison, "default").at(count) == localized.at(count));
+  }
+}
+
+TEST_CASE("all answers verified, every similarity accepts what the default does", "[examples]") {
+  const Json comparison = compare(sets + " --verified 1000");
+  for (const Json& row : comparison.at("methods")) {
+    if (row.at("accepted").is_null()) continue;
+    CHECK(row.at("accepted") == method(comparison, "default").at("accepted"));
+  }
+}
+
+TEST_CASE("the paper's whole pipeline is of single frames whatever the window", "[examples]") {
+  const Json fused = method(compare(sets), "paper's whole pipeline");
+  const Json single = method(compare(sets + " --window 0"), "paper's whole pipeline");
+  CHECK(fused.at("average_precision") == single.at("average_precision"));
+  CHECK(fused.at("recall_at_1") == single.at("recall_at_1"));
+}
+
+TEST_CASE("compare looks for earlier places of one table", "[examples]") {
+  const Json comparison = compare("compare --nodes " + sample_map + " --min-gap 5");
+  CHECK(comparison.at("protocol").get<std::string>().find("exclude-seconds=5,past-only") !=
+        std::string::npos);
+  const ProgramRun run =
+      run_program("loops --nodes " + sample_map + " --min-gap 5" + sample_options + " --json");
+  CHECK(method(comparison, "default").at("accepted") == Json::parse(run.out).at("accepted"));
+  for (const Json& row :
+       compare("compare --nodes " + sample_map + " --min-gap 1000").at("methods")) {
+    CHECK(row.at("average_precision").is_null());
+  }
+}
+
+TEST_CASE("compare prints a table and writes a report", "[examples][report]") {
+  const ScratchFolder folder;
+  const ProgramRun run = run_program(sets + sample_options + " --report " + folder.path("r.html") +
+                                     " --report-data " + folder.path("r.json"));
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.out.find("paper's whole pipeline") != std::string::npos);
+  const ProgramRun markdown = run_program(sets + sample_options + " --markdown");
+  CHECK(markdown.out.find("| method | AP |") == 0);
+  CHECK(times(markdown.out, "\n|") + 1 == times(markdown.out, "\n"));
+  const std::string page = program::read_file(folder.path("r.html"));
+  CHECK(references(page).empty());
+  const Json data = Json::parse(program::read_file(folder.path("r.json")));
+  const Json& figures = data.at("figures");
+  CHECK(figures.at("comparison").at("rows").size() >= 17);
+  CHECK(times(page, "<figure ") == figures.size());
+  std::set<std::string> curves;
+  for (const Json& row : figures.at("precision-recall").at("rows")) {
+    curves.insert(row.at(0).get<std::string>());
+  }
+  CHECK(curves.size() == 3);
+}
+
+TEST_CASE("bad options end compare with one line", "[examples]") {
+  CHECK(refusal("compare --camera 5,5,3,2") == "give either --nodes or --map and --query");
+  refusal("compare --map a --camera 5,5,3,2");
+  refusal("compare --nodes a --map b --query c --camera 5,5,3,2");
+  refusal("compare --nodes a --verified 0 --camera 5,5,3,2");
+  CHECK(refusal(sets + sample_options + " --protocol distance=x").find("distance") !=
+        std::string::npos);
+  const ScratchFolder folder;
+  folder.write("s.frames.csv", "idx,frame,timestamp\n0,a.png,1\n");
+  folder.write("s.nodes.csv", "idx,class,conf,u,v,w,h,z\n");
+  CHECK(refusal("compare --window 0 --nodes " + folder.path("s") + " --camera 5,5,3,2") ==
+        folder.path("s.frames.csv") + ": not every key frame has a pose");
+}
