@@ -64,6 +64,9 @@ Report comparison_report(const Comparison& comparison, const KnownPlaces& places
   Report report = retrieval_report(places, run);
   report.title = "Methods held against each other: " + name_of(comparison.query_set) + " in " +
                  name_of(comparison.map_set);
+  report.notes.push_back(
+      "The table's AP, AUC-PR, R@100P and F1max look at each query's best answer, the curves at all "
+      "pairs.");
   report.figures.insert(report.figures.begin(), table_figure(comparison));
   return report;
 }
