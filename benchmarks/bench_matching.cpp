@@ -2,10 +2,10 @@
 // What does it cost to match two graphs of real key frames and work out their pose, and the paper's
 // padded cosine beside the plain formula?
 //
-// Every query of one sequence meets every key frame of another: of the sample's, or of the two
-// tables and the camera given as arguments. Graphs fuse three seconds; of each the nodes seen most
-// surely are kept, so that all have the same number. A pair's time is the least of three calls,
-// which leaves out the neighbours on the machine; the figures are over all pairs.
+// Every query of one sequence meets every key frame of another: the sample's, or two tables of the
+// same camera given as arguments (map, query). Graphs fuse three seconds; of each the nodes seen
+// most surely are kept, so that all have the same number. A pair's time is the least of three
+// calls, which leaves out the neighbours on the machine; the figures are over all pairs.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <exception>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,6 +115,7 @@ template <typename Call>
 std::vector<double> times_of(const std::vector<Graph>& map, const std::vector<Graph>& queries,
                              std::size_t max_pairs, Call&& call) {
   const std::size_t all = map.size() * queries.size();
+  if (all == 0) throw std::runtime_error("no key frame has that many objects with a depth");
   const std::size_t step = std::max<std::size_t>(1, all / max_pairs);
   std::vector<double> times;
   for (std::size_t i = 0; i < all; i += step) {
@@ -234,8 +236,9 @@ int main(int argc, char** argv) {
               "mean, us");
   try {
     bench_pose(tables);
-    const bool same = bench_search(tables, false, 4000) & bench_search(tables, true, 20) &
-                      bench_padded_cosine(tables);
+    bool same = bench_search(tables, false, 4000);
+    same = bench_search(tables, true, 20) && same;
+    same = bench_padded_cosine(tables) && same;
     if (!same) std::fprintf(stderr, "a result differs from its reference\n");
     return same ? 0 : 1;
   } catch (const std::exception& error) {
