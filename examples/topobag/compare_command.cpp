@@ -96,16 +96,15 @@ topobag::ScoreMatrix place_scores(const RecognitionRun& run) {
   return scores;
 }
 
-std::size_t verified_pairs(const RecognitionRun& run) {
+/// Time of all look-ups over the pairs that they verified, µs.
+double verification_us(const RecognitionRun& run) {
+  double milliseconds = 0.0;
   std::size_t pairs = 0;
-  for (const LookUp& look_up : run.look_ups) pairs += look_up.recognition.candidates.size();
-  return pairs;
-}
-
-double total_milliseconds(const RecognitionRun& run) {
-  double total = 0.0;
-  for (const LookUp& look_up : run.look_ups) total += look_up.milliseconds;
-  return total;
+  for (const LookUp& look_up : run.look_ups) {
+    milliseconds += look_up.milliseconds;
+    pairs += look_up.recognition.candidates.size();
+  }
+  return 1e3 * milliseconds / static_cast<double>(std::max<std::size_t>(1, pairs));
 }
 
 /// The library at its defaults.
@@ -114,7 +113,7 @@ ComparedMethod default_method(const RecognitionRun& run, const topobag::ScoreMat
   ComparedMethod method{
       "default", "the library: retrieval, all verified, ranked by verification and viewpoint"};
   method.labelled = topobag::label_scores(scores, truth);
-  method.pair_us = 1e3 * total_milliseconds(run) / static_cast<double>(verified_pairs(run));
+  method.pair_us = verification_us(run);
   method.poses = summarize(run);
   return method;
 }
