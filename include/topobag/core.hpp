@@ -60,6 +60,7 @@
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/query.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/recognition/recognition.hpp>
