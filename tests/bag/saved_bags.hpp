@@ -24,6 +24,7 @@ inline topobag::BagOfTopologyGraphs<> random_bag(std::mt19937& random, std::size
           static_cast<double>(random() % 300) / 100.0, Eigen::Vector3d(1, 2, 3).normalized()));
       info.T_world_camera->translation() = Eigen::Vector3d(1.0 / 3.0, -2.0, 7.1);
     }
+    if (random() % 3 != 0) info.label = "floor " + std::to_string(random() % 4);
     auto nodes = random_nodes(random, random() % 8, 80, false);
     for (auto& node : nodes) {
       if (node.position) {

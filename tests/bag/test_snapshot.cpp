@@ -56,6 +56,7 @@ TEST_CASE("a bag comes back from a stream as it was", "[bag][snapshot]") {
       REQUIRE(back.contains(id));
       CHECK(back.info(id)->session == info.session);
       CHECK(back.info(id)->stamp == info.stamp);
+      CHECK(back.info(id)->label == info.label);
       REQUIRE(back.info(id)->T_world_camera.has_value() == info.T_world_camera.has_value());
       if (info.T_world_camera) {
         CHECK(back.info(id)->T_world_camera->matrix() == info.T_world_camera->matrix());

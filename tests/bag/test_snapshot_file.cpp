@@ -115,6 +115,7 @@ TEST_CASE("the file of format 1 loads for ever", "[bag][snapshot]") {
   CHECK(desk.views()[0].T_graph_camera.translation() == Eigen::Vector3d(0.125, 0.0, -1.0));
   CHECK(*bag.info(KeyframeId{7})->stamp == 1305031102.175304);
   CHECK(bag.info(KeyframeId{7})->session == 2);
+  CHECK(bag.info(KeyframeId{7})->label == "desk");
   CHECK(bag.info(KeyframeId{7})->T_world_camera->translation() == Eigen::Vector3d(1.1, 2.2, 3.3));
   CHECK(bag.find(KeyframeId{8})->empty());
   CHECK_FALSE(bag.info(KeyframeId{8})->stamp);

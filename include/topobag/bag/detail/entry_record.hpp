@@ -26,7 +26,7 @@ struct EntryRecord {
   std::vector<std::uint8_t> graph;
 };
 
-inline constexpr unsigned has_stamp = 1, has_pose = 2;
+inline constexpr unsigned has_stamp = 1, has_pose = 2, has_label = 4;
 
 inline void put_double(BitWriter& writer, double x) {
   std::uint64_t bits = 0;
@@ -41,12 +41,15 @@ inline double get_double(BitReader& reader) {
   return x;
 }
 
-/// The entry as bytes: id, session, which of stamp and pose follow, these to the last bit, graph.
+/// The entry as bytes: id, session, which of stamp, pose and label follow, these to the last bit,
+/// graph.
 inline std::vector<std::uint8_t> to_bytes(const EntryRecord& entry) {
   BitWriter writer;
   writer.put(value(entry.id), 64);
   writer.put(entry.info.session, 32);
-  writer.put((entry.info.stamp ? has_stamp : 0) | (entry.info.T_world_camera ? has_pose : 0), 8);
+  writer.put((entry.info.stamp ? has_stamp : 0) | (entry.info.T_world_camera ? has_pose : 0) |
+                 (entry.info.label.empty() ? 0 : has_label),
+             8);
   if (entry.info.stamp) put_double(writer, *entry.info.stamp);
   if (entry.info.T_world_camera) {
     for (int row = 0; row < 3; ++row) {
@@ -54,6 +57,10 @@ inline std::vector<std::uint8_t> to_bytes(const EntryRecord& entry) {
         put_double(writer, entry.info.T_world_camera->matrix()(row, column));
       }
     }
+  }
+  if (!entry.info.label.empty()) {
+    writer.put(entry.info.label.size(), 32);
+    for (const char letter : entry.info.label) writer.put(static_cast<std::uint8_t>(letter), 8);
   }
   std::vector<std::uint8_t> bytes = writer.take();
   bytes.insert(bytes.end(), entry.graph.begin(), entry.graph.end());
@@ -67,7 +74,7 @@ inline EntryRecord entry_of(const std::vector<std::uint8_t>& bytes) {
   entry.id = KeyframeId{reader.get(64)};
   entry.info.session = static_cast<std::uint32_t>(reader.get(32));
   const std::uint64_t parts = reader.get(8);
-  if (parts > (has_stamp | has_pose)) {
+  if (parts > (has_stamp | has_pose | has_label)) {
     throw FormatError("it holds what this version of topobag does not know: it is damaged");
   }
   if ((parts & has_stamp) != 0) entry.info.stamp = get_double(reader);
@@ -77,6 +84,13 @@ inline EntryRecord entry_of(const std::vector<std::uint8_t>& bytes) {
       for (int column = 0; column < 4; ++column) T.matrix()(row, column) = get_double(reader);
     }
     entry.info.T_world_camera = T;
+  }
+  if ((parts & has_label) != 0) {
+    const std::uint64_t length = reader.get(32);
+    if (length > reader.bits_left() / 8) throw FormatError("its label is cut off: it is damaged");
+    for (std::uint64_t i = 0; i < length; ++i) {
+      entry.info.label += static_cast<char>(reader.get(8));
+    }
   }
   const auto rest = static_cast<std::ptrdiff_t>(reader.bits_left() / 8);
   entry.graph.assign(bytes.end() - rest, bytes.end());
