@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -92,10 +93,10 @@ void inform(const InfoArguments& arguments) {
   MapFigures figures;
   map.bag.for_each([&](topobag::KeyframeId, const topobag::EntryInfo& info,
                        const topobag::TopologyGraph<>& graph) { figures.add(info, graph); });
-  const auto mean = [&](std::size_t sum) {
-    return figures.keyframes == 0
-               ? std::optional<double>()
-               : static_cast<double>(sum) / static_cast<double>(figures.keyframes);
+  const auto mean_of = [&](std::size_t sum) {
+    if (figures.keyframes == 0) return std::optional<double>();
+    const double mean = static_cast<double>(sum) / static_cast<double>(figures.keyframes);
+    return std::optional<double>(std::round(mean * 100.0) / 100.0);
   };
   Json sessions = Json::object();
   for (const SavedSession& session : map.sessions) {
@@ -106,11 +107,11 @@ void inform(const InfoArguments& arguments) {
                     {"file_bytes", std::filesystem::file_size(arguments.map)},
                     {"keyframes", figures.keyframes},
                     {"usable", figures.usable},
-                    {"objects_per_keyframe", or_null(mean(figures.objects))},
-                    {"edges_per_keyframe", or_null(mean(figures.edges))},
-                    {"views_per_keyframe", or_null(mean(figures.views))},
-                    {"graph_bytes_per_keyframe", or_null(mean(figures.graph_bytes))},
-                    {"view_bytes_per_keyframe", or_null(mean(figures.view_bytes))},
+                    {"objects_per_keyframe", or_null(mean_of(figures.objects))},
+                    {"edges_per_keyframe", or_null(mean_of(figures.edges))},
+                    {"views_per_keyframe", or_null(mean_of(figures.views))},
+                    {"graph_bytes_per_keyframe", or_null(mean_of(figures.graph_bytes))},
+                    {"view_bytes_per_keyframe", or_null(mean_of(figures.view_bytes))},
                     {"sessions", sessions},
                     {"objects", class_counts(figures)}};
   std::cout << output_text(result, arguments.json);
