@@ -10,8 +10,10 @@ namespace program {
 // leaves no half of it there.
 void add_compare_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
+void add_info_command(CLI::App& app);
 void add_localize_command(CLI::App& app);
 void add_loops_command(CLI::App& app);
+void add_map_command(CLI::App& app);
 void add_nodes_command(CLI::App& app);
 void add_similarity_command(CLI::App& app);
 void add_trajectory_command(CLI::App& app);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "number_check.hpp"
+#include "saved_map.hpp"
 
 namespace program {
 
@@ -38,7 +39,7 @@ RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions opt
   RecognitionRun run;
   run.map_set = tables.map;
   run.query_set = tables.query;
-  run.map = read_keyframes(tables.map, map_options);
+  run.map = read_map(tables.map, map_options);
   run.queries = read_keyframes(tables.query, options);
   return run;
 }

@@ -37,7 +37,8 @@ void add_localize_command(CLI::App& app) {
       *app.add_subcommand("localize", "Looks the key frames of one node table up in another");
   const auto arguments = std::make_shared<LocalizeArguments>();
   command
-      .add_option("--map", arguments->tables.map, "Table of the map: MAP.frames.csv, MAP.nodes.csv")
+      .add_option("--map", arguments->tables.map,
+                  "Table of the map (MAP.frames.csv, MAP.nodes.csv), or what `map` made of one")
       ->required();
   command.add_option("--query", arguments->tables.query, "Table of the key frames to look up")
       ->required();

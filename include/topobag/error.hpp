@@ -43,5 +43,11 @@ class InvalidId : public Error {
   using Error::Error;
 };
 
+/// Bytes that are truncated, damaged, not ours, or written by a later version.
+class FormatError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace v0
 }  // namespace topobag
