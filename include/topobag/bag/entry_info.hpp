@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include <Eigen/Geometry>
 
@@ -17,6 +18,7 @@ struct EntryInfo {
   std::optional<double> stamp;  ///< s
   std::uint32_t session = 0;    ///< which run of the robot
   std::optional<Eigen::Isometry3d> T_world_camera;
+  std::string label;  ///< the user's own: a map, a floor, a robot
 
   /// Throws InvalidValue for a number that is not finite.
   void validate() const {

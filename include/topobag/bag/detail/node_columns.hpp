@@ -44,6 +44,12 @@ inline constexpr ColumnRange label_range{std::numeric_limits<std::int32_t>::min(
 /// ray and one across it; other shapes are rounded off to that.
 class NodeColumns {
  public:
+  // What a node may lack.
+  static constexpr std::int64_t has_pixel = 1;
+  static constexpr std::int64_t has_position = 2;
+  static constexpr std::int64_t has_depth = 4;  ///< other than the position's
+  static constexpr std::int64_t has_covariance = 8;
+
   /// Throws InvalidValue for more nodes than the format counts, or, with its index, for one further
   /// away than it reaches.
   template <typename Scalar>
@@ -126,11 +132,6 @@ class NodeColumns {
   }
 
  private:
-  static constexpr std::int64_t has_pixel = 1;
-  static constexpr std::int64_t has_position = 2;
-  static constexpr std::int64_t has_depth = 4;  ///< other than the position's
-  static constexpr std::int64_t has_covariance = 8;
-
   template <typename Scalar>
   void add(const SemanticNode<Scalar>& node) {
     const auto share = [](Scalar x, ColumnRange range) {

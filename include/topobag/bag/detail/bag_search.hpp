@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <topobag/bag/detail/best_candidates.hpp>
+#include <topobag/bag/detail/common_mass.hpp>
+#include <topobag/bag/detail/leaf_order.hpp>
+#include <topobag/bag/search_result.hpp>
+#include <topobag/graph/topology_graph.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// One query of one bag: visits leaves by falling bound, until no leaf can hold a better graph.
+class BagSearch {
+ public:
+  BagSearch(const BagParts& parts, const ClassPairDistanceHistogram& similarity,
+            const TopologyGraph<double>& graph, const QueryOptions& options,
+            std::size_t max_visited)
+      : parts_(parts),
+        similarity_(similarity),
+        options_(options),
+        max_visited_(max_visited),
+        query_(similarity.descriptor(graph)),
+        common_mass_(similarity, query_, labels_of(graph)),
+        best_(options.max_results, options.min_score) {}
+
+  SearchResult run() {
+    visit_head();
+    const LeafOrder order(parts_, query_);
+    // A leaf of each part first: good ones raise the floor, and then most leaves are not even
+    // sorted.
+    std::vector<BoundedLeaf> first = order.best_of_each_part();
+    for (const BoundedLeaf& leaf : first) visit(leaf);
+    const auto place = [](const BoundedLeaf& leaf) { return std::make_pair(leaf.part, leaf.leaf); };
+    const double floor = std::max(0.0, best_.floor() - score_slack);
+    for (const BoundedLeaf& leaf : order.at_least(static_cast<float>(floor))) {
+      const auto bound = static_cast<double>(leaf.bound);
+      if (!best_.wants(bound) || missed_ > bound) break;
+      const bool done = std::any_of(first.begin(), first.end(), [&](const BoundedLeaf& other) {
+        return place(other) == place(leaf);
+      });
+      if (!done) visit(leaf);
+    }
+    SearchResult result;
+    result.candidates = best_.finish(parts_, [&](const StoredEntry& entry) {
+      return similarity_.similarity(query_, similarity_.descriptor_of(scan_(entry.graph)));
+    });
+    result.entries = parts_.live;
+    result.visited = visited_;
+    result.missed_score = missed_;
+    result.exact = missed_ == 0.0;
+    return result;
+  }
+
+ private:
+  static std::vector<ClassId> labels_of(const TopologyGraph<double>& graph) {
+    std::vector<ClassId> labels;
+    for (const auto& node : graph.nodes()) labels.push_back(node.label);
+    return labels;
+  }
+
+  void visit_head() {
+    const auto total = static_cast<float>(query_.total());
+    for (std::size_t slot = 0; slot < parts_.head_size; ++slot) {
+      if (!parts_.dead_in_head[slot]) visit({parts_.sealed->size(), slot}, total);
+    }
+  }
+
+  void visit(const BoundedLeaf& leaf) {
+    const SealedPart& part = (*parts_.sealed)[leaf.part];
+    const std::size_t end = part.segment->leaf_end(leaf.leaf);
+    for (std::size_t slot = part.segment->leaf_begin(leaf.leaf); slot < end; ++slot) {
+      if (part.is_live(slot)) visit({leaf.part, slot}, leaf.common);
+    }
+  }
+
+  /// @param common  bound of the Σ min with the query
+  void visit(EntryPlace place, float common) {
+    const StoredEntry entry = parts_.entry(place);
+    const auto total = static_cast<float>(query_.total());
+    const double bound = jaccard_bound(common, total, entry.total, entry.total);
+    if (!best_.wants(bound) || !options_.admits(entry.id, parts_.info(place))) return;
+    if (!(bound > 0.0)) {
+      best_.add_nothing_in_common(entry.id);
+    } else if (visited_ == max_visited_) {
+      missed_ = std::max(missed_, std::min(bound + score_slack, 1.0));
+    } else {
+      ++visited_;
+      const double shared = common_mass_(scan_(entry.graph));
+      const double all = query_.total() + static_cast<double>(entry.total) - shared;
+      best_.add(place, entry, shared > 0.0 ? shared / all : 0.0);
+    }
+  }
+
+  const BagParts& parts_;
+  const ClassPairDistanceHistogram& similarity_;
+  const QueryOptions& options_;
+  std::size_t max_visited_;
+  SparseHistogram query_;
+  CommonMass common_mass_;
+  NodeScan scan_;
+  BestCandidates best_;
+  std::size_t visited_ = 0;
+  double missed_ = 0.0;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag
