@@ -36,6 +36,13 @@ struct EntryFilter {
   std::vector<std::string> labels;      ///< any of these; empty = all
   std::optional<MapRegion> region;      ///< of the entries' cameras; those without a pose are out
 
+  /// Whether any test is set.
+  bool restricts() const {
+    const EntryFilter none;
+    return min_id != none.min_id || max_id != none.max_id || min_stamp || max_stamp ||
+           !sessions.empty() || !labels.empty() || region;
+  }
+
   bool contains(KeyframeId id, const EntryInfo& info) const {
     const auto any_of = [](const auto& wanted, const auto& value) {
       return wanted.empty() || std::find(wanted.begin(), wanted.end(), value) != wanted.end();

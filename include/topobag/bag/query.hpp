@@ -41,6 +41,11 @@ struct QueryOptions {
   std::function<bool(KeyframeId, const EntryInfo&)>
       filter;  ///< when set, only entries it returns true for
 
+  /// Whether there is an entry that might not be asked.
+  bool restricts() const {
+    return among.restricts() || exclude.id || exclude.stamp || static_cast<bool>(filter);
+  }
+
   /// Whether an entry is asked at all.
   bool admits(KeyframeId id, const EntryInfo& info) const {
     return among.contains(id, info) && !exclude.contains(id, info) && (!filter || filter(id, info));

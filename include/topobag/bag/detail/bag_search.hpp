@@ -25,6 +25,7 @@ class BagSearch {
       : parts_(parts),
         similarity_(similarity),
         options_(options),
+        restricted_(options.restricts()),
         max_visited_(max_visited),
         query_(similarity.descriptor(graph)),
         common_mass_(similarity, query_, labels_of(graph)),
@@ -85,7 +86,8 @@ class BagSearch {
     const StoredEntry entry = parts_.entry(place);
     const auto total = static_cast<float>(query_.total());
     const double bound = jaccard_bound(common, total, entry.total, entry.total);
-    if (!best_.wants(bound) || !options_.admits(entry.id, parts_.info(place))) return;
+    if (!best_.wants(bound)) return;
+    if (restricted_ && !options_.admits(entry.id, parts_.info(place))) return;
     if (!(bound > 0.0)) {
       best_.add_nothing_in_common(entry.id);
     } else if (visited_ == max_visited_) {
@@ -101,6 +103,7 @@ class BagSearch {
   const BagParts& parts_;
   const ClassPairDistanceHistogram& similarity_;
   const QueryOptions& options_;
+  bool restricted_;
   std::size_t max_visited_;
   SparseHistogram query_;
   CommonMass common_mass_;

@@ -61,8 +61,7 @@ class CommonMass {
       for (std::size_t side = 0; side < 2; ++side) {
         const double length = node.size[static_cast<Eigen::Index>(side)];
         if (!(length > 0.0)) continue;
-        vote(sides_[2 * known_[i].label + side],
-             similarity_.side_bins(ClassPairDistanceHistogram::octaves(length)));
+        vote(sides_[2 * known_[i].label + side], similarity_.side_bins(octaves(length)));
       }
       if (!node.position) continue;
       for (std::size_t j = i + 1; j < known_.size(); ++j) {
@@ -117,11 +116,23 @@ class CommonMass {
     }
   }
 
+  /// Logarithms of the few lengths there are are kept.
+  double octaves(double length) {
+    const double steps = length * steps_per_size_metre;
+    if (!(steps < static_cast<double>(octaves_.size()))) {
+      return ClassPairDistanceHistogram::octaves(length);
+    }
+    double& known = octaves_[static_cast<std::size_t>(steps)];
+    if (known < 0.0) known = ClassPairDistanceHistogram::octaves(length);
+    return known;
+  }
+
   const ClassPairDistanceHistogram& similarity_;
   std::vector<ClassId> labels_;              ///< the query's classes, ascending
   std::vector<Vote> pairs_, sides_, alone_;  ///< by label × label, label × side, label
   std::vector<Slot> slots_;                  ///< open addressing; a power of two
   std::vector<Slot*> touched_;
+  std::vector<double> octaves_ = std::vector<double>(512, -1.0);  ///< by steps; < 0 = unknown
   std::vector<Known> known_;  ///< the stored graph's nodes of classes that the query has
 };
 

@@ -13,8 +13,8 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// So many graphs make a segment at most: a merge, which the writer waits for, takes some 0.1 s.
-inline constexpr std::size_t max_segment_size = std::size_t{1} << 17U;
+/// So many graphs make a segment at most: a merge, which the writer waits for, takes some 50 ms.
+inline constexpr std::size_t max_segment_size = LeafBounds::max_leaves;
 /// So many segments of about one size become one.
 inline constexpr std::size_t merge_fan_in = 4;
 

@@ -24,8 +24,8 @@ namespace detail {
 /// neighbouring slots.
 class Segment {
  public:
-  /// So many graphs share a leaf. More make the index smaller and its bounds looser.
-  static constexpr std::size_t leaf_size = 16;
+  /// So many graphs share a leaf at most. More make the index smaller and its bounds looser.
+  static constexpr std::size_t max_leaf_size = 16;
   static constexpr std::size_t max_bytes = std::numeric_limits<std::uint32_t>::max();
 
   std::size_t size() const noexcept { return ids_.size(); }
@@ -105,16 +105,19 @@ class Segment::Builder {
 
   /// @param graph  `size` encoded bytes and `scan_margin` more
   void add(KeyframeId id, const EntryInfo& info, const std::uint8_t* graph, std::size_t size) {
-    append(id, info, graph, size);
     votes_.clear();
     double total = 0.0;
     similarity_->for_each_vote(scan_(graph), [&](std::uint64_t word, double weight) {
       total += weight;
       votes_.emplace_back(static_cast<std::uint32_t>(word), weight);
     });
+    const CoarseHistogram graph_histogram = coarse_histogram(votes_);
+    // Alike graphs share a leaf: one that is not would loosen the bounds of all.
+    const std::size_t in_leaf = this->size() - segment_.leaf_begins_.back();
+    if (in_leaf == max_leaf_size || (in_leaf > 0 && !is_like_leaf(graph_histogram))) end_leaf();
+    append(id, info, graph, size);
     segment_.totals_.push_back(static_cast<float>(total));
-    raise_to(coarse_histogram(votes_));
-    if (this->size() - segment_.leaf_begins_.back() == leaf_size) end_leaf();
+    raise_to(graph_histogram);
   }
 
   /// All of another, with its leaves as they are.
@@ -160,6 +163,18 @@ class Segment::Builder {
     segment_.infos_.push_back(info);
     segment_.bytes_.insert(segment_.bytes_.end(), graph, graph + size);
     segment_.begins_.push_back(static_cast<std::uint32_t>(segment_.bytes_.size()));
+  }
+
+  /// Whether half of the graph's weights are in the leaf already.
+  bool is_like_leaf(const CoarseHistogram& graph) const {
+    std::uint64_t common = 0, total = 0;
+    auto i = leaf_.begin();
+    for (const CoarseEntry& entry : graph) {
+      total += entry.weight;
+      while (i != leaf_.end() && i->word < entry.word) ++i;
+      if (i != leaf_.end() && i->word == entry.word) common += std::min(i->weight, entry.weight);
+    }
+    return 2 * common >= total;
   }
 
   /// Takes a graph's weights into the leaf's greatest.
