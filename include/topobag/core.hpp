@@ -7,6 +7,7 @@
 #include <topobag/fwd.hpp>
 #include <topobag/version.hpp>
 #include <topobag/types/bounding_box.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/detection.hpp>
 #include <topobag/types/dynamics.hpp>
@@ -62,6 +63,9 @@
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/query.hpp>
+#include <topobag/bag/snapshot.hpp>
+#include <topobag/bag/snapshot_file.hpp>
+#include <topobag/bag/snapshot_header.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/relocalizer.hpp>

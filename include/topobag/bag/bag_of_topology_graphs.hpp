@@ -78,6 +78,12 @@ class BagOfTopologyGraphs {
     return it->second.info;
   }
 
+  /// Calls f(KeyframeId, const EntryInfo&, const Graph&) for every entry, by rising id.
+  template <typename F>
+  void for_each(F&& f) const {
+    for (const auto& [id, entry] : entries_) f(id, entry.info, entry.graph);
+  }
+
   /// The entries most similar to `graph`, best first, ties by id. O(n · similarity).
   std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {
     std::vector<Candidate> found;

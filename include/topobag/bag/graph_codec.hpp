@@ -29,10 +29,10 @@ enum class ViewSection { kept, left_out };
 /// machine; for memory, file, data base and radio alike.
 ///
 /// Kept exactly: order, classes, edges, what is absent. Rounded, by at most: positions and depths
-/// 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm; pixels a quarter; confidence
-/// and existence 0.004; standard deviations 2.2 % along the viewing ray and across it, which is the
+/// 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm; pixels a half; confidence
+/// and existence 0.004; standard deviations 4.5 % along the viewing ray and across it, which is the
 /// shape that `NodeNoise` gives a covariance and to which any other is rounded off. Of views:
-/// translation 2 mm, rotation 0.2 mrad an axis, intrinsics 1/32 px, boxes a quarter pixel.
+/// translation 2 mm, rotation 0.2 mrad an axis, intrinsics 1/32 px, boxes half a pixel.
 /// Saturated: pixels and boxes at ±2^20 px, negative sizes at 0, confidence to [0, 1], existence to
 /// [1/127, 1], standard deviations to [1 mm, 64 m].
 ///

@@ -16,25 +16,21 @@ class BitReader {
  public:
   BitReader(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
 
-  std::uint64_t bits_left() const noexcept {
-    return std::uint64_t{8} * (size_ - at_) - static_cast<std::uint64_t>(used_);
-  }
+  std::uint64_t bits_left() const noexcept { return std::uint64_t{8} * (size_ - at_) + filled_; }
 
   /// The next `width` <= 64 bits.
   std::uint64_t get(unsigned width) {
     if (width > bits_left()) throw FormatError("the data end too early: they are cut off");
-    std::uint64_t value = 0;
-    for (unsigned done = 0; done < width;) {
-      const unsigned taken = width - done < 8 - used_ ? width - done : 8 - used_;
-      const auto bits = static_cast<std::uint64_t>(data_[at_] >> used_);
-      value |= (bits & ((std::uint64_t{1} << taken) - 1)) << done;
-      done += taken;
-      used_ += taken;
-      if (used_ == 8) {
-        used_ = 0;
-        ++at_;
-      }
+    if (width > 32) {
+      const std::uint64_t low = get(32);
+      return get(width - 32) << 32 | low;
     }
+    for (; filled_ < width; filled_ += 8) {
+      pending_ |= static_cast<std::uint64_t>(data_[at_++]) << filled_;
+    }
+    const std::uint64_t value = pending_ & ((std::uint64_t{1} << width) - 1);
+    pending_ >>= width;
+    filled_ -= width;
     return value;
   }
 
@@ -73,8 +69,9 @@ class BitReader {
  private:
   const std::uint8_t* data_;
   std::size_t size_;
-  std::size_t at_ = 0;  ///< byte
-  unsigned used_ = 0;   ///< bits of it
+  std::size_t at_ = 0;         ///< the next byte
+  std::uint64_t pending_ = 0;  ///< bits of those before it that are not taken yet
+  unsigned filled_ = 0;        ///< how many, < 8
 };
 
 }  // namespace detail

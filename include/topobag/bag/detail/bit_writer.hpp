@@ -20,17 +20,15 @@ class BitWriter {
   /// The low `width` bits of `value`, `width` <= 64. Precondition: nothing stands above them.
   void put(std::uint64_t value, unsigned width) {
     TOPOBAG_ASSERT(width == 64 || value >> width == 0);
-    while (width > 0) {
-      if (free_ == 0) {
-        bytes_.push_back(0);
-        free_ = 8;
-      }
-      const unsigned taken = width < free_ ? width : free_;
-      const std::uint64_t low = value & ((std::uint64_t{1} << taken) - 1);
-      bytes_.back() = static_cast<std::uint8_t>(bytes_.back() | low << (8 - free_));
-      value >>= taken;
-      width -= taken;
-      free_ -= taken;
+    if (width > 32) {
+      put(value & 0xFFFFFFFF, 32);
+      value >>= 32;
+      width -= 32;
+    }
+    pending_ |= value << filled_;
+    for (filled_ += width; filled_ >= 8; filled_ -= 8) {
+      bytes_.push_back(static_cast<std::uint8_t>(pending_));
+      pending_ >>= 8;
     }
   }
 
@@ -47,11 +45,15 @@ class BitWriter {
   }
 
   /// All that was put, the last byte filled up with zeros.
-  std::vector<std::uint8_t> take() { return std::move(bytes_); }
+  std::vector<std::uint8_t> take() {
+    if (filled_ > 0) bytes_.push_back(static_cast<std::uint8_t>(pending_));
+    return std::move(bytes_);
+  }
 
  private:
   std::vector<std::uint8_t> bytes_;
-  unsigned free_ = 0;  ///< bits of the last byte
+  std::uint64_t pending_ = 0;  ///< bits that do not fill a byte yet
+  unsigned filled_ = 0;        ///< how many, < 8
 };
 
 }  // namespace detail

@@ -22,19 +22,19 @@ namespace detail {
 // The units of the format: a change of one of them is a new version of it.
 inline constexpr double steps_per_metre = 256.0;
 inline constexpr double steps_per_size_metre = 128.0;
-inline constexpr double steps_per_pixel = 2.0;
-inline constexpr double steps_of_share = 127.0;   // of a share in [0, 1]
-inline constexpr double steps_per_octave = 16.0;  // of a standard deviation, from 1 m
+inline constexpr double steps_per_pixel = 1.0;
+inline constexpr double steps_of_share = 127.0;  // of a share in [0, 1]
+inline constexpr double steps_per_octave = 8.0;  // of a standard deviation, from 1 m
 inline constexpr double max_metres = 1048576.0;
 inline constexpr std::size_t max_nodes = 65536;
 
 inline constexpr ColumnRange metre_range{-(std::int64_t{1} << 28), std::int64_t{1} << 28};
 inline constexpr ColumnRange size_range{0, std::int64_t{1} << 27};
-inline constexpr ColumnRange pixel_range{-(std::int64_t{1} << 21), std::int64_t{1} << 21};
+inline constexpr ColumnRange pixel_range{-(std::int64_t{1} << 20), std::int64_t{1} << 20};
 inline constexpr ColumnRange share_range{0, 127};
 inline constexpr ColumnRange existence_range{1, 127};
-inline constexpr ColumnRange deviation_range{-160, 96};  // 1 mm to 64 m
-inline constexpr std::int64_t max_elongation = 96;       // a factor of 64 between the axes
+inline constexpr ColumnRange deviation_range{-80, 48};  // 1 mm to 64 m
+inline constexpr std::int64_t max_elongation = 48;      // a factor of 64 between the axes
 inline constexpr ColumnRange label_range{std::numeric_limits<std::int32_t>::min(),
                                          std::numeric_limits<std::int32_t>::max()};
 
@@ -55,6 +55,10 @@ class NodeColumns {
   template <typename Scalar>
   explicit NodeColumns(const std::vector<SemanticNode<Scalar>>& nodes) {
     if (nodes.size() > max_nodes) throw InvalidValue("a graph of more than 65536 nodes");
+    for (Column* column : {&confidence_, &label_, &existence_, &parts_, &width_, &height_, &u_, &v_,
+                           &x_, &y_, &z_, &along_, &across_}) {
+      column->reserve(nodes.size());
+    }
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       add(nodes[i]);
       if (std::abs(static_cast<double>(nodes[i].z)) > max_metres ||

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sqlite3.h>
+
+#include <memory>
+#include <string>
+
+#include <topobag/error.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// Throws what SQLite says of the last call that failed: FormatError for a file that is no sound
+/// data base, Error for the rest.
+[[noreturn]] inline void sqlite_fail(sqlite3* connection, const std::string& path) {
+  const int code = sqlite3_errcode(connection) & 0xFF;
+  const std::string text = path + ": " + sqlite3_errmsg(connection);
+  if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
+    throw FormatError(text + "; take another copy");
+  }
+  throw Error(text);
+}
+
+/// An open SQLite file.
+class SqliteConnection {
+ public:
+  /// Throws Error when it cannot be opened; without `read_only` it is made where it is missing.
+  SqliteConnection(const std::string& path, bool read_only) : path_(path) {
+    const int flags = read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    sqlite3* opened = nullptr;
+    const int status = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
+    connection_.reset(opened);
+    if (status != SQLITE_OK) fail();
+    sqlite3_extended_result_codes(get(), 1);
+    sqlite3_busy_timeout(get(), 5000);
+  }
+
+  sqlite3* get() const noexcept { return connection_.get(); }
+  const std::string& path() const noexcept { return path_; }
+
+  /// Runs statements that return nothing. Throws Error.
+  void run(const char* sql) const {
+    if (sqlite3_exec(get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+  }
+
+  [[noreturn]] void fail() const { sqlite_fail(get(), path_); }
+
+ private:
+  struct Close {
+    /// What was open for writing is left as one file without a journal beside it, which can be
+    /// copied, and read where nothing may be written.
+    void operator()(sqlite3* connection) const noexcept {
+      if (sqlite3_db_readonly(connection, "main") == 0) {
+        sqlite3_exec(connection, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+      }
+      sqlite3_close_v2(connection);
+    }
+  };
+
+  std::string path_;
+  std::unique_ptr<sqlite3, Close> connection_;
+};
+
+/// A change that is made whole by `commit` or not at all.
+class SqliteTransaction {
+ public:
+  explicit SqliteTransaction(const SqliteConnection& connection) : connection_(connection) {
+    connection_.run("BEGIN IMMEDIATE");
+  }
+  SqliteTransaction(const SqliteTransaction&) = delete;
+  SqliteTransaction& operator=(const SqliteTransaction&) = delete;
+  ~SqliteTransaction() {
+    // Some errors have rolled back already.
+    if (open_ && sqlite3_get_autocommit(connection_.get()) == 0) {
+      sqlite3_exec(connection_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    }
+  }
+
+  /// Throws Error; then nothing was changed.
+  void commit() {
+    connection_.run("COMMIT");
+    open_ = false;
+  }
+
+ private:
+  const SqliteConnection& connection_;
+  bool open_ = true;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag

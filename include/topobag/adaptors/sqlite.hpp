@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <topobag/adaptors/detail/sqlite_connection.hpp>
+#include <topobag/adaptors/detail/sqlite_row.hpp>
+#include <topobag/adaptors/detail/sqlite_schema.hpp>
+#include <topobag/adaptors/detail/sqlite_statement.hpp>
+#include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/graph_codec.hpp>
+#include <topobag/error.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
+#include <topobag/types/class_catalog.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+struct SqliteOptions {
+  bool read_only = false;  ///< to localize: the file is not touched
+  ViewSection views = ViewSection::kept;
+  std::optional<ClassCatalog> catalog;  ///< has to be the one that the map was made with
+};
+
+/// One run of the robot.
+struct MapSession {
+  std::uint32_t id = 0;
+  std::string name;
+};
+
+/// A bag whose every change is in an SQLite file before the call returns: the map of a robot that
+/// may lose power at any moment. Opened again, it is as it was; what was being written is there
+/// whole or not at all.
+///
+///     SqliteBag<> map("flat.db");
+///     const std::uint32_t today = map.begin_session("Monday");
+///     map.add(id, graph, info);                  // info.session = today
+///     map.bag().query(graph);
+///
+/// The bag holds graphs as the file does, that is, after `encode` and `decode`. One process writes,
+/// others may read at the same time, each what there was when it opened the file. Every error
+/// begins with the file's name. (Tables: `docs/format.md`.)
+template <typename Bag_ = BagOfTopologyGraphs<>>
+class SqliteBag {
+ public:
+  using Bag = Bag_;
+  using Graph = typename Bag::Graph;
+
+  /// Opens a map, or makes one where there is none and `read_only` is not asked for.
+  /// @param empty  what to fill: a bag with a similarity of yours
+  /// Throws Error when the file cannot be opened, FormatError when it is damaged, no map, of a
+  /// later version, or made with other classes. O(n · add).
+  explicit SqliteBag(const std::string& path, SqliteOptions options = {}, Bag empty = Bag{})
+      : options_(std::move(options)),
+        connection_(path, options_.read_only),
+        bag_(std::move(empty)) {
+    detail::prepare_schema(connection_, options_.read_only);
+    if (!options_.read_only)
+      connection_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    agree_on_catalog();
+    read_entries();
+  }
+
+  /// What to query.
+  const Bag& bag() const noexcept { return bag_; }
+  const std::string& path() const noexcept { return connection_.path(); }
+
+  /// Adds a key frame. Throws InvalidId if `id` is there already, InvalidValue as `encode` and the
+  /// bag do, Error when the file cannot take it; then nothing has changed. Some milliseconds.
+  void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
+    if (bag_.contains(id)) {
+      throw InvalidId(path() + ": key frame " + std::to_string(value(id)) +
+                      " is in the map already: use update");
+    }
+    write(
+        detail::sqlite_insert, {id, info, encode(graph, options_.views)},
+        [&](Graph kept, EntryInfo rounded) { bag_.add(id, std::move(kept), std::move(rounded)); });
+  }
+
+  /// Replaces a key frame's graph and info, as SLAM moves poses and fuses nodes. As `add`.
+  void update(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
+    if (!bag_.contains(id)) {
+      throw InvalidId(path() + ": key frame " + std::to_string(value(id)) +
+                      " is not in the map: use add");
+    }
+    write(detail::sqlite_update, {id, info, encode(graph, options_.views)},
+          [&](Graph kept, EntryInfo rounded) {
+            bag_.update(id, std::move(kept), std::move(rounded));
+          });
+  }
+
+  /// Takes a key frame out; false if it was not there.
+  bool erase(KeyframeId id) {
+    if (!bag_.contains(id)) return false;
+    change([&] {
+      detail::SqliteStatement(connection_, "DELETE FROM keyframe WHERE id = ?")
+          .bind(detail::sqlite_id(id))
+          .step();
+    });
+    return bag_.erase(id);
+  }
+
+  /// Notes a new run of the robot, numbered on from the last one, from 0.
+  std::uint32_t begin_session(const std::string& name) {
+    std::int64_t id = 0;
+    change([&] {
+      id = detail::sqlite_number(connection_,
+                                 "SELECT 1 + max(coalesce((SELECT max(id) FROM session), -1),"
+                                 " coalesce((SELECT max(session) FROM keyframe), -1))");
+      detail::SqliteStatement(connection_, "INSERT INTO session(id, name) VALUES(?, ?)")
+          .bind(id, name)
+          .step();
+    });
+    return static_cast<std::uint32_t>(id);
+  }
+
+  /// By rising id.
+  std::vector<MapSession> sessions() const {
+    std::vector<MapSession> sessions;
+    detail::SqliteStatement rows(connection_, "SELECT id, name FROM session ORDER BY id");
+    while (rows.step()) {
+      sessions.push_back({static_cast<std::uint32_t>(rows.integer(0)), rows.text(1)});
+    }
+    return sessions;
+  }
+
+ private:
+  /// A transaction that is refused when the file is no longer what the bag holds.
+  template <typename Work>
+  void change(const Work& work) {
+    if (options_.read_only) throw Error(path() + ": the map was opened for reading only");
+    detail::SqliteTransaction transaction(connection_);
+    if (detail::sqlite_number(connection_, "PRAGMA data_version") != data_version_) {
+      throw Error(path() + ": another process has changed the map; open it again");
+    }
+    work();
+    transaction.commit();
+  }
+
+  /// Writes a row; once it is safe, gives the bag what would be read from it.
+  template <typename Keep>
+  void write(const char* sql, detail::EntryRecord entry, const Keep& keep) {
+    entry.info.validate();
+    Graph graph = decode<typename Graph::Scalar>(entry.graph);
+    change([&] {
+      detail::SqliteStatement& statement = prepared(sql);
+      detail::write_row(statement, entry, graph, options_.catalog);
+    });
+    if (auto& T = entry.info.T_world_camera) T = detail::pose_of(detail::pose_columns(T));
+    keep(std::move(graph), std::move(entry.info));
+  }
+
+  /// The two statements that a mapping run repeats are prepared once.
+  detail::SqliteStatement& prepared(const char* sql) {
+    std::optional<detail::SqliteStatement>& statement =
+        sql == detail::sqlite_insert ? insert_ : update_;
+    if (!statement) statement.emplace(connection_, sql);
+    return *statement;
+  }
+
+  void agree_on_catalog() {
+    if (!options_.catalog) return;
+    const auto ours = static_cast<std::int64_t>(fingerprint(*options_.catalog));
+    detail::SqliteStatement stored(connection_, "SELECT value FROM meta WHERE key = 'catalog'");
+    if (stored.step()) {
+      if (stored.integer(0) == ours) return;
+      throw FormatError(path() +
+                        ": its class numbers mean other names than yours; open it with the catalog "
+                        "that it was made with");
+    }
+    if (options_.read_only) return;
+    detail::SqliteTransaction transaction(connection_);
+    detail::SqliteStatement(connection_, "INSERT INTO meta(key, value) VALUES('catalog', ?)")
+        .bind(ours)
+        .step();
+    detail::SqliteStatement insert(connection_, "INSERT INTO class(id, name) VALUES(?, ?)");
+    for (const ClassId id : options_.catalog->ids()) {
+      insert.bind(std::int64_t{value(id)}, options_.catalog->name(id)).step();
+    }
+    transaction.commit();
+  }
+
+  void read_entries() {
+    data_version_ = detail::sqlite_number(connection_, "PRAGMA data_version");
+    detail::SqliteStatement rows(connection_, detail::sqlite_select);
+    while (rows.step()) {
+      try {
+        detail::EntryRecord entry = detail::read_row(rows);
+        bag_.add(entry.id, decode<typename Graph::Scalar>(entry.graph), std::move(entry.info));
+      } catch (const Error& error) {
+        throw FormatError(path() + ": key frame " +
+                          std::to_string(static_cast<std::uint64_t>(rows.integer(0))) +
+                          " cannot be read: " + error.what());
+      }
+    }
+  }
+
+  SqliteOptions options_;
+  detail::SqliteConnection connection_;
+  std::optional<detail::SqliteStatement> insert_, update_;
+  std::int64_t data_version_ = 0;
+  Bag bag_;
+};
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <streambuf>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <topobag/error.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// An output stream's way into an open file. Remembers why a write failed.
+class FileBuffer : public std::streambuf {
+ public:
+  explicit FileBuffer(int file) : file_(file), buffer_(65536) { reset(); }
+
+  /// `errno` of the first write that failed; 0 = none did.
+  int error() const noexcept { return error_; }
+
+ protected:
+  int_type overflow(int_type byte) override {
+    if (sync() != 0) return traits_type::eof();
+    if (!traits_type::eq_int_type(byte, traits_type::eof())) {
+      *pptr() = traits_type::to_char_type(byte);
+      pbump(1);
+    }
+    return traits_type::not_eof(byte);
+  }
+
+  int sync() override {
+    for (const char* at = pbase(); error_ == 0 && at != pptr();) {
+      const ssize_t written = ::write(file_, at, static_cast<std::size_t>(pptr() - at));
+      if (written >= 0) {
+        at += written;
+      } else if (errno != EINTR) {
+        error_ = errno;
+      }
+    }
+    reset();
+    return error_ == 0 ? 0 : -1;
+  }
+
+ private:
+  void reset() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
+
+  int file_;
+  int error_ = 0;
+  std::vector<char> buffer_;
+};
+
+/// A file that appears under its name complete and on the disk, or not at all: what stood there
+/// before stays until then. (POSIX.)
+///
+/// Written beside its place under a name of its own; `commit` syncs and renames. Without it the
+/// destructor takes the unfinished file away; a process that is killed leaves it behind, and it may
+/// be deleted.
+class AtomicFile {
+ public:
+  /// Throws Error when the file cannot be made.
+  explicit AtomicFile(const std::string& path) : path_(target_of(path)) {
+    for (int attempt = 0; file_ < 0; ++attempt) {
+      temporary_ = path_ + ".part-" + std::to_string(::getpid()) + '-' + std::to_string(attempt);
+      file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (file_ < 0 && errno != EEXIST) fail(errno);
+    }
+    struct ::stat before {};
+    if (::stat(path_.c_str(), &before) == 0) static_cast<void>(::fchmod(file_, before.st_mode));
+    buffer_ = std::make_unique<FileBuffer>(file_);
+  }
+
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  ~AtomicFile() {
+    if (file_ >= 0) ::close(file_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+
+  std::streambuf* buffer() noexcept { return buffer_.get(); }
+
+  /// Throws Error with the system's reason; then the old file is as it was.
+  void commit() {
+    if (buffer_->pubsync() != 0) fail(buffer_->error());
+    if (::fsync(file_) != 0) fail(errno);
+    if (::close(std::exchange(file_, -1)) != 0) fail(errno);
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
+    temporary_.clear();
+    sync_folder();
+  }
+
+  /// Throws Error with the reason for which a write failed.
+  [[noreturn]] void fail() const { fail(buffer_->error()); }
+
+ private:
+  [[noreturn]] void fail(int reason) const {
+    throw Error(path_ + " cannot be written: " + std::generic_category().message(reason));
+  }
+
+  /// A link is followed: the file behind it is replaced, not the link.
+  static std::string target_of(const std::string& path) {
+    std::error_code none;
+    const std::filesystem::path target = std::filesystem::canonical(path, none);
+    return none ? path : target.string();
+  }
+
+  /// So that the new name, too, survives a loss of power. Not every file system can.
+  void sync_folder() const {
+    const std::string folder = std::filesystem::path(path_).parent_path().string();
+    const int opened = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
+    if (opened < 0) return;
+    static_cast<void>(::fsync(opened));
+    ::close(opened);
+  }
+
+  std::string path_;
+  std::string temporary_;
+  int file_ = -1;
+  std::unique_ptr<FileBuffer> buffer_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag

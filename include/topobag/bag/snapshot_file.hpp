@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <topobag/bag/detail/atomic_file.hpp>
+#include <topobag/bag/snapshot.hpp>
+#include <topobag/bag/snapshot_header.hpp>
+#include <topobag/error.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+namespace detail {
+
+/// What `read(stream)` returns; its FormatErrors with the file's name before them.
+template <typename Read>
+auto read_file(const std::string& path, const Read& read) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw Error(path + " cannot be opened: " + std::generic_category().message(errno));
+  }
+  try {
+    return read(stream);
+  } catch (const FormatError& error) {
+    throw FormatError(path + ": " + error.what(), error.index());
+  }
+}
+
+}  // namespace detail
+
+/// `save` into a file: complete and on the disk under its name when this returns (written beside
+/// it, synced, renamed), or, after an Error that gives the system's reason, as it was before. A
+/// process killed on the way leaves the old file and one beside it whose name has ".part-" in it.
+template <typename Bag>
+void save(const Bag& bag, const std::string& path, const SaveOptions& options = {}) {
+  detail::AtomicFile file(path);
+  std::ostream stream(file.buffer());
+  try {
+    save(bag, stream, options);
+  } catch (const Error&) {
+    if (!stream) file.fail();
+    throw;
+  }
+  file.commit();
+}
+
+/// `load` from a file, which holds one bag and nothing more.
+///
+///     bag = load<BagOfTopologyGraphs<>>("room.bag");  // or throws and leaves `bag` as it was
+///
+/// Throws FormatError, or Error when the file cannot be opened; both begin with its name.
+template <typename Bag = BagOfTopologyGraphs<>>
+Bag load(const std::string& path, std::uint64_t catalog_fingerprint = 0, Bag empty = Bag{}) {
+  return detail::read_file(path, [&](std::istream& stream) {
+    Bag bag = load<Bag>(stream, catalog_fingerprint, std::move(empty));
+    if (stream.peek() != std::istream::traits_type::eof()) {
+      throw FormatError("it goes on after its last entry: it is damaged; take another copy");
+    }
+    return bag;
+  });
+}
+
+/// The header of a saved bag.
+inline SnapshotHeader inspect(const std::string& path) {
+  return detail::read_file(path, [](std::istream& stream) { return inspect(stream); });
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include <topobag/bag/snapshot.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
+
+#include "bag/saved_bags.hpp"
+#include "catch.hpp"
+
+using namespace topobag;
+
+namespace {
+
+using Bag = BagOfTopologyGraphs<>;
+
+Bag loaded(const std::string& bytes, std::uint64_t catalog_fingerprint = 0) {
+  std::istringstream stream(bytes);
+  return load<Bag>(stream, catalog_fingerprint);
+}
+
+/// Why the bytes were refused, or nothing; anything but a FormatError goes on to the test.
+std::string refusal(const std::string& bytes, std::uint64_t catalog_fingerprint = 0) {
+  try {
+    loaded(bytes, catalog_fingerprint);
+    return {};
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+}
+
+std::string sealed(std::string header) {
+  detail::BitWriter writer;
+  const std::vector<std::uint8_t> bytes(header.begin(), header.begin() + 40);
+  writer.put(detail::crc32(bytes.data(), bytes.size()), 32);
+  const std::vector<std::uint8_t> sum = writer.take();
+  std::copy(sum.begin(), sum.end(), header.begin() + 40);
+  return header;
+}
+
+}  // namespace
+
+TEST_CASE("a bag comes back from a stream as it was", "[bag][snapshot]") {
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 30; ++trial) {
+    const Bag bag = random_bag(random, random() % 20);
+    const std::string bytes = saved(bag);
+    const Bag back = loaded(bytes);
+    CHECK(saved(back) == bytes);
+    REQUIRE(back.size() == bag.size());
+    bag.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
+      REQUIRE(back.contains(id));
+      CHECK(back.info(id)->session == info.session);
+      CHECK(back.info(id)->stamp == info.stamp);
+      CHECK(back.info(id)->label == info.label);
+      REQUIRE(back.info(id)->T_world_camera.has_value() == info.T_world_camera.has_value());
+      if (info.T_world_camera) {
+        CHECK(back.info(id)->T_world_camera->matrix() == info.T_world_camera->matrix());
+      }
+      CHECK(encode(*back.find(id)) == encode(graph));
+    });
+  }
+}
+
+TEST_CASE("a loaded bag answers as a bag of the decoded graphs does", "[bag][snapshot]") {
+  std::mt19937 random(2);
+  const Bag bag = random_bag(random, 60);
+  Bag rounded;
+  bag.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
+    rounded.add(id, decode(encode(graph)), info);
+  });
+  const Bag back = loaded(saved(bag));
+  for (int i = 0; i < 50; ++i) {
+    const auto query = random_graph(random, 6, 80, false);
+    CHECK(back.query(query) == rounded.query(query));
+  }
+}
+
+TEST_CASE("bags of another scalar and with another similarity come back, too", "[bag][snapshot]") {
+  struct SameSize {
+    double size = 0.5;
+    double operator()(const TopologyGraph<float>& a, const TopologyGraph<float>& b) const {
+      return a.size() == b.size() ? size : 0.0;
+    }
+  };
+  std::mt19937 random(3);
+  const std::string bytes = saved(random_bag(random, 5));
+  std::istringstream stream(bytes);
+  using Other = BagOfTopologyGraphs<TopologyGraph<float>, SameSize>;
+  const Other other = load<Other>(stream, 0, Other(SameSize{0.25}));
+  REQUIRE(other.size() == 5);
+  const auto graph = *other.find(KeyframeId{0});
+  CHECK(other.query(graph).at(0).score == 0.25);
+  std::istringstream again(saved(other));
+  CHECK(inspect(again).scalar_bytes == 4);
+}
+
+TEST_CASE("views are left out on request", "[bag][snapshot]") {
+  std::mt19937 random(4);
+  const Bag bag = random_bag(random, 20);
+  SaveOptions options;
+  options.views = ViewSection::left_out;
+  CHECK(saved(bag, options).size() < saved(bag).size());
+  loaded(saved(bag, options)).for_each([](KeyframeId, const EntryInfo&, const auto& graph) {
+    CHECK(graph.views().empty());
+  });
+}
+
+TEST_CASE("every flipped bit and every truncation of a saved bag is refused", "[bag][snapshot]") {
+  std::mt19937 random(5);
+  const std::string good = saved(random_bag(random, 4));
+  REQUIRE(refusal(good).empty());
+  for (std::size_t size = 0; size < good.size(); ++size) {
+    CHECK_FALSE(refusal(good.substr(0, size)).empty());
+  }
+  for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+    std::string flipped = good;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    CHECK_FALSE(refusal(flipped).empty());
+  }
+}
+
+TEST_CASE("a refusal says what is wrong and what to do", "[bag][snapshot]") {
+  std::mt19937 random(6);
+  const std::string good = saved(random_bag(random, 3));
+  CHECK(refusal("") == "it is cut off; take a complete copy");
+  CHECK(refusal("CREATE TABLE bag;") ==
+        "it is not a bag saved by topobag, or a copy as text has damaged it");
+  CHECK(refusal(good.substr(0, 30)) == "it is cut off; take a complete copy");
+  CHECK(refusal(good.substr(0, good.size() - 1)) ==
+        "entry 2 of 3 cannot be read: it is cut off; take a complete copy");
+  std::string damaged = good;
+  damaged[44 + 4 + 20] ^= 1;
+  CHECK(refusal(damaged) ==
+        "entry 0 of 3 cannot be read: its checksum does not fit: it is damaged; take another copy");
+  damaged = good;
+  damaged[30] ^= 1;
+  CHECK(refusal(damaged) == "its header is damaged; take another copy");
+  std::string later = good;
+  later[8] = 2;
+  CHECK(refusal(sealed(later)) ==
+        "it was saved by a later version of topobag (format 2): update topobag");
+  std::string wide = good;
+  wide[20] = 16;
+  CHECK(refusal(sealed(wide)) == "its ids or classes are of another size than topobag's");
+}
+
+TEST_CASE("numbers that no file can hold make no room", "[bag][snapshot]") {
+  std::mt19937 random(7);
+  std::string many = saved(random_bag(random, 1));
+  many[24 + 7] = 0x10;  // 2^60 + 1 entries
+  CHECK(
+      refusal(sealed(many)).find("entry 1 of 1152921504606846977 cannot be read: it is cut off") ==
+      0);
+  std::string longer = saved(random_bag(random, 1));
+  longer[44 + 3] = static_cast<char>(0xFF);  // an entry of 4 GB
+  CHECK(refusal(longer) == "entry 0 of 1 cannot be read: it is cut off; take a complete copy");
+}
+
+TEST_CASE("a bag made with other classes is refused", "[bag][snapshot]") {
+  std::mt19937 random(8);
+  const Bag bag = random_bag(random, 2);
+  const std::uint64_t coco = fingerprint(ClassCatalog::coco80());
+  const std::uint64_t paper = fingerprint(ClassCatalog::paper());
+  SaveOptions options;
+  options.catalog_fingerprint = coco;
+  CHECK(refusal(saved(bag, options), paper) ==
+        "its class numbers mean other names than yours; load it with the catalog that it was saved "
+        "with");
+  CHECK(refusal(saved(bag, options), coco).empty());
+  CHECK(refusal(saved(bag, options)).empty());
+  CHECK(refusal(saved(bag), paper).empty());
+}
+
+TEST_CASE("several bags share a stream", "[bag][snapshot]") {
+  std::mt19937 random(9);
+  const Bag first = random_bag(random, 3), second = random_bag(random, 5);
+  std::istringstream stream(saved(first) + saved(second));
+  CHECK(saved(load<Bag>(stream)) == saved(first));
+  CHECK(saved(load<Bag>(stream)) == saved(second));
+}
+
+TEST_CASE("a stream that fails is an error", "[bag][snapshot]") {
+  std::mt19937 random(10);
+  std::ostringstream stream;
+  stream.setstate(std::ios::badbit);
+  CHECK_THROWS_AS(save(random_bag(random, 1), stream), Error);
+}

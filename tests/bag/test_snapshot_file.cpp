@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <topobag/bag/snapshot_file.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
+
+#include "bag/saved_bags.hpp"
+#include "catch.hpp"
+#include "child_process.hpp"
+#include "scratch_folder.hpp"
+
+using namespace topobag;
+
+namespace {
+
+using Bag = BagOfTopologyGraphs<>;
+
+/// The text of the error that `call` throws.
+template <typename Call>
+std::string error_of(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+std::size_t files_in(const ScratchFolder& folder) {
+  const std::filesystem::directory_iterator begin(folder.path()), end;
+  return static_cast<std::size_t>(std::distance(begin, end));
+}
+
+/// A bag that says how often it was saved before.
+Bag numbered(Bag bag, std::uint64_t number) {
+  EntryInfo info;
+  info.stamp = static_cast<double>(number);
+  bag.update(KeyframeId{0}, {}, info);
+  return bag;
+}
+std::uint64_t number_of(const Bag& bag) {
+  return static_cast<std::uint64_t>(*bag.info(KeyframeId{0})->stamp);
+}
+
+}  // namespace
+
+TEST_CASE("a bag comes back from a file as it was", "[bag][snapshot]") {
+  const ScratchFolder folder;
+  std::mt19937 random(1);
+  const std::string path = folder.path("room.bag");
+  for (const std::size_t count : {0u, 1u, 40u, 3u}) {
+    const Bag bag = random_bag(random, count);
+    save(bag, path);
+    CHECK(saved(load(path)) == saved(bag));
+    CHECK(content_of(path) == saved(bag));
+    CHECK(inspect(path).entries == count);
+  }
+  CHECK(files_in(folder) == 1);
+}
+
+TEST_CASE("a bag in memory stays as it was when a file is refused", "[bag][snapshot]") {
+  const ScratchFolder folder;
+  std::mt19937 random(2);
+  Bag bag = random_bag(random, 5);
+  const std::string before = saved(bag);
+  const std::string path = folder.write("cut.bag", before.substr(0, 200));
+  CHECK_THROWS_AS(bag = load(path), FormatError);
+  CHECK(saved(bag) == before);
+  CHECK(error_of([&] { load(path); }).find(path + ": entry ") == 0);
+  folder.write("long.bag", before + '\0');
+  CHECK(error_of([&] { load(folder.path("long.bag")); }) ==
+        folder.path("long.bag") +
+            ": it goes on after its last entry: it is damaged; take another copy");
+  CHECK(error_of([&] { load(folder.path("none.bag")); }) ==
+        folder.path("none.bag") + " cannot be opened: No such file or directory");
+  CHECK(error_of([&] { inspect(folder.path()); }) ==
+        folder.path() + ": it is cut off; take a complete copy");
+}
+
+TEST_CASE("the file of format 1 loads for ever", "[bag][snapshot]") {
+  const Bag bag =
+      load(TOPOBAG_SOURCES "/tests/bag/frozen/v1.bag", fingerprint(ClassCatalog::coco80()));
+  REQUIRE(bag.size() == 3);
+  const TopologyGraph<> desk = *bag.find(KeyframeId{7});
+  REQUIRE(desk.size() == 3);
+  const SemanticNode<>& tv = desk.nodes()[0];
+  CHECK(tv.label == ClassId{62});
+  CHECK(*tv.position == Eigen::Vector3d(-0.5, 0.25, 1.75));
+  CHECK(*tv.pixel == Eigen::Vector2d(171.0, 329.0));
+  CHECK(tv.z == 1.75);
+  CHECK(tv.size == Eigen::Vector2d(0.5, 0.375));
+  CHECK(tv.confidence == Approx(0.9).margin(0.004));
+  CHECK(tv.existence == 1.0);
+  CHECK(tv.covariance.trace() == Approx(0.00406).epsilon(0.1));
+  CHECK_FALSE(desk.nodes()[2].position);
+  CHECK(desk.nodes()[1].covariance.isZero(0.0));
+  CHECK(desk.edges() == EdgeList{{NodeIndex{0}, NodeIndex{1}}});
+  REQUIRE(desk.views().size() == 1);
+  CHECK(desk.views()[0].camera.fx == 517.25);
+  CHECK(desk.views()[0].camera.width == 640);
+  REQUIRE(desk.views()[0].occluders.size() == 1);
+  CHECK(desk.views()[0].occluders[0].box.x2 == 301.0);
+  CHECK(desk.views()[0].T_graph_camera.translation() == Eigen::Vector3d(0.125, 0.0, -1.0));
+  CHECK(*bag.info(KeyframeId{7})->stamp == 1305031102.175304);
+  CHECK(bag.info(KeyframeId{7})->session == 2);
+  CHECK(bag.info(KeyframeId{7})->label == "desk");
+  CHECK(bag.info(KeyframeId{7})->T_world_camera->translation() == Eigen::Vector3d(1.1, 2.2, 3.3));
+  CHECK(bag.find(KeyframeId{8})->empty());
+  CHECK_FALSE(bag.info(KeyframeId{8})->stamp);
+  CHECK(bag.contains(KeyframeId{~std::uint64_t{0}}));
+}
+
+TEST_CASE("a link's file is replaced, not the link, and keeps its permissions", "[bag][snapshot]") {
+  const ScratchFolder folder;
+  std::mt19937 random(3);
+  const std::string file = folder.write("2026.bag", "old");
+  REQUIRE(::chmod(file.c_str(), 0640) == 0);
+  std::filesystem::create_symlink("2026.bag", folder.path("now.bag"));
+  const Bag bag = random_bag(random, 3);
+  save(bag, folder.path("now.bag"));
+  CHECK(std::filesystem::is_symlink(folder.path("now.bag")));
+  CHECK(content_of(file) == saved(bag));
+  struct ::stat status {};
+  REQUIRE(::stat(file.c_str(), &status) == 0);
+  CHECK((status.st_mode & 0777) == 0640);
+}
+
+TEST_CASE("a full disk is an error and leaves the old file", "[bag][snapshot]") {
+  const ScratchFolder folder;
+  std::mt19937 random(4);
+  const Bag old = random_bag(random, 3), larger = random_bag(random, 1000);
+  const std::string path = folder.path("room.bag");
+  save(old, path);
+  for (const ::rlim_t limit : {0u, 1000u, 65536u, 100000u}) {
+    REQUIRE(saved(larger).size() > limit);
+    const std::string said = text_from_child([&] {
+      ::signal(SIGXFSZ, SIG_IGN);
+      const ::rlimit size{limit, limit};
+      ::setrlimit(RLIMIT_FSIZE, &size);
+      return error_of([&] { save(larger, path); });
+    });
+    CHECK(said == path + " cannot be written: File too large");
+    CHECK(content_of(path) == saved(old));
+    CHECK(files_in(folder) == 1);
+  }
+}
+
+TEST_CASE("a folder that cannot be written to is an error and leaves the old file",
+          "[bag][snapshot]") {
+  const ScratchFolder folder;
+  std::mt19937 random(5);
+  const Bag bag = random_bag(random, 3);
+  const std::string path = folder.path("room.bag");
+  save(bag, path);
+  REQUIRE(::chmod(folder.path().c_str(), 0555) == 0);
+  const std::string said = text_from_child([&] {
+    // Root may write anywhere: be nobody.
+    if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) return std::string{};
+    return error_of([&] { save(random_bag(random, 5), path); });
+  });
+  REQUIRE(::chmod(folder.path().c_str(), 0755) == 0);
+  CHECK(said == path + " cannot be written: Permission denied");
+  CHECK(content_of(path) == saved(bag));
+  CHECK(error_of([&] { save(bag, folder.path("none/room.bag")); }) ==
+        folder.path("none/room.bag") + " cannot be written: No such file or directory");
+  CHECK(files_in(folder) == 1);
+  std::filesystem::create_directory(folder.path("rooms"));
+  CHECK(error_of([&] { save(bag, folder.path("rooms")); }) ==
+        folder.path("rooms") + " cannot be written: Is a directory");
+  CHECK(files_in(folder) == 2);
+}
+
+TEST_CASE("a graph that cannot be kept leaves the old file", "[bag][snapshot]") {
+  const ScratchFolder folder;
+  std::mt19937 random(6);
+  Bag bag = random_bag(random, 3);
+  const std::string path = folder.path("room.bag");
+  save(bag, path);
+  const std::string before = content_of(path);
+  std::vector<SemanticNode<>> far(1);
+  far[0].position = Eigen::Vector3d(1e9, 0, 0);
+  bag.add(KeyframeId{99}, TopologyGraph<>(far));
+  CHECK_THROWS_AS(save(bag, path), InvalidValue);
+  CHECK(content_of(path) == before);
+  CHECK(files_in(folder) == 1);
+}
+
+namespace {
+
+/// Kills a process that saves again and again, at any moment; what it has told to be saved must be
+/// there, or what it was saving then.
+void kill_saves(unsigned kills) {
+  const ScratchFolder folder;
+  std::mt19937 random(7);
+  const std::string path = folder.path("room.bag");
+  const Bag bag = random_bag(random, 200);
+  save(numbered(bag, 0), path);
+  std::uint64_t last = 0;
+  std::size_t interrupted = 0, progressed = 0;
+  for (unsigned round = 0; round < kills; ++round) {
+    ChildProcess child([&](const auto& tell) {
+      for (std::uint64_t number = last + 1;; ++number) {
+        save(numbered(bag, number), path);
+        tell(number);
+      }
+    });
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 30000));
+    child.kill();
+    std::uint64_t told = last;
+    while (const auto number = child.told()) told = *number;
+    const std::uint64_t found = number_of(load(path));
+    REQUIRE((found == told || found == told + 1));
+    REQUIRE(content_of(path) == saved(numbered(bag, found)));
+    if (found > last) ++progressed;
+    last = found;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
+      if (file.path() == path) continue;
+      CHECK(file.path().filename().string().find("room.bag.part-") == 0);
+      std::filesystem::remove(file.path());
+      ++interrupted;
+    }
+  }
+  CHECK(interrupted > 0);
+  CHECK(progressed > 0);
+}
+
+}  // namespace
+
+TEST_CASE("a save that is killed leaves a whole file", "[bag][snapshot]") { kill_saves(20); }
+
+TEST_CASE("300 saves that are killed leave a whole file", "[bag][snapshot][long]") {
+  kill_saves(300);
+}
