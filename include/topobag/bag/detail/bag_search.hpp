@@ -28,12 +28,14 @@ class BagSearch {
         restricted_(options.restricts()),
         max_visited_(max_visited),
         query_(similarity.descriptor(graph)),
+        coarse_query_(coarse_histogram(query_)),
+        sketch_(coarse_query_),
         common_mass_(similarity, query_, labels_of(graph)),
         best_(options.max_results, options.min_score) {}
 
   SearchResult run() {
     visit_head();
-    const LeafOrder order(parts_, query_);
+    const LeafOrder order(parts_, coarse_query_, query_.total());
     // A leaf of each part first: good ones raise the floor, and then most leaves are not even
     // sorted.
     std::vector<BoundedLeaf> first = order.best_of_each_part();
@@ -69,24 +71,32 @@ class BagSearch {
   void visit_head() {
     const auto total = static_cast<float>(query_.total());
     for (std::size_t slot = 0; slot < parts_.head_size; ++slot) {
-      if (!parts_.dead_in_head[slot]) visit({parts_.sealed->size(), slot}, total);
+      if (parts_.dead_in_head[slot]) continue;
+      const float stored = (*parts_.head)[slot].total;
+      visit({parts_.sealed->size(), slot}, jaccard_bound(total, total, stored, stored));
     }
   }
 
   void visit(const BoundedLeaf& leaf) {
+    const auto total = static_cast<float>(query_.total());
     const SealedPart& part = (*parts_.sealed)[leaf.part];
-    const std::size_t end = part.segment->leaf_end(leaf.leaf);
-    for (std::size_t slot = part.segment->leaf_begin(leaf.leaf); slot < end; ++slot) {
-      if (part.is_live(slot)) visit({leaf.part, slot}, leaf.common);
+    const Segment& segment = *part.segment;
+    const std::size_t end = segment.leaf_end(leaf.leaf);
+    for (std::size_t slot = segment.leaf_begin(leaf.leaf); slot < end; ++slot) {
+      if (!part.is_live(slot)) continue;
+      const float stored = segment.total(slot);
+      const float bound = jaccard_bound(leaf.common, total, stored, stored);
+      if (!best_.wants(static_cast<double>(bound))) continue;
+      const float common = std::min(leaf.common, sketch_.common(segment.sketch(slot)));
+      visit({leaf.part, slot}, jaccard_bound(common, total, stored, stored));
     }
   }
 
-  /// @param common  bound of the Σ min with the query
-  void visit(EntryPlace place, float common) {
-    const StoredEntry entry = parts_.entry(place);
-    const auto total = static_cast<float>(query_.total());
-    const double bound = jaccard_bound(common, total, entry.total, entry.total);
+  /// @param rounded_bound  of the graph's score
+  void visit(EntryPlace place, float rounded_bound) {
+    const auto bound = static_cast<double>(rounded_bound);
     if (!best_.wants(bound)) return;
+    const StoredEntry entry = parts_.entry(place);
     if (restricted_ && !options_.admits(entry.id, parts_.info(place))) return;
     if (!(bound > 0.0)) {
       best_.add_nothing_in_common(entry.id);
@@ -106,6 +116,8 @@ class BagSearch {
   bool restricted_;
   std::size_t max_visited_;
   SparseHistogram query_;
+  CoarseHistogram coarse_query_;
+  SketchQuery sketch_;
   CommonMass common_mass_;
   NodeScan scan_;
   BestCandidates best_;

@@ -2,48 +2,17 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include <topobag/assert.hpp>
-#include <topobag/version.hpp>
+#include <topobag/bag/detail/coarse_histogram.hpp>
 
 namespace topobag {
 inline namespace v0 {
 namespace detail {
-
-/// A word of a histogram, shortened, and a weight in units of 1/64, rounded up. Two words that
-/// become the same one only loosen a bound.
-struct CoarseEntry {
-  std::uint32_t word = 0;
-  std::uint32_t weight = 0;
-
-  friend bool operator<(const CoarseEntry& l, const CoarseEntry& r) noexcept {
-    return l.word < r.word;
-  }
-};
-using CoarseHistogram = std::vector<CoarseEntry>;  ///< ascending, each word once
-inline constexpr double coarse_steps = 64.0;
-
-/// Rounds a histogram up, given as (word, weight) in any order. O(m log m).
-inline CoarseHistogram coarse_histogram(std::vector<std::pair<std::uint32_t, double>>& votes) {
-  std::sort(votes.begin(), votes.end(),
-            [](const auto& l, const auto& r) { return l.first < r.first; });
-  CoarseHistogram coarse;
-  for (std::size_t i = 0; i < votes.size();) {
-    const std::uint32_t word = votes[i].first;
-    double sum = 0.0;
-    for (; i < votes.size() && votes[i].first == word; ++i) sum += votes[i].second;
-    // A little more, so that the order of the sum does not matter; then never less than it is.
-    const double steps = std::min(std::ceil(sum * coarse_steps + 1e-6), 1e9);
-    coarse.push_back({word, static_cast<std::uint32_t>(steps)});
-  }
-  return coarse;
-}
 
 /// For every leaf, a group of graphs, the greatest weight that each word has in one of them: a
 /// query's Σ min with it is at least that with each graph.

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <topobag/bag/detail/bag_parts.hpp>
 #include <topobag/bag/detail/leaf_bounds.hpp>
-#include <topobag/similarity/sparse_histogram.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -36,19 +34,15 @@ struct BoundedLeaf {
 class LeafOrder {
  public:
   /// O(Σ over the query's words of the leaves that have them).
-  LeafOrder(const BagParts& parts, const SparseHistogram& query)
-      : total_(static_cast<float>(query.total())) {
-    std::vector<std::pair<std::uint32_t, double>> votes;
-    for (const SparseHistogram::Entry& entry : query.entries()) {
-      votes.emplace_back(static_cast<std::uint32_t>(entry.word), entry.weight);
-    }
-    const CoarseHistogram coarse = coarse_histogram(votes);
+  /// @param total   sum of the query's weights
+  LeafOrder(const BagParts& parts, const CoarseHistogram& query, double total)
+      : total_(static_cast<float>(total)) {
     std::uint64_t greatest_sum = 0;
-    for (const CoarseEntry& entry : coarse) greatest_sum += entry.weight;
+    for (const CoarseEntry& entry : query) greatest_sum += entry.weight;
     if (greatest_sum < 65536) {
-      fill<std::uint16_t>(parts, coarse);
+      fill<std::uint16_t>(parts, query);
     } else {
-      fill<std::uint64_t>(parts, coarse);
+      fill<std::uint64_t>(parts, query);
     }
   }
 

@@ -13,6 +13,7 @@
 #include <topobag/bag/detail/info_columns.hpp>
 #include <topobag/bag/detail/leaf_bounds.hpp>
 #include <topobag/bag/detail/node_scan.hpp>
+#include <topobag/bag/detail/sketch.hpp>
 #include <topobag/similarity/class_pair_distance_histogram.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -42,6 +43,8 @@ class Segment {
   /// Sum of the weights of the graph's histogram, to a float's accuracy.
   float total(std::size_t slot) const noexcept { return totals_[slot]; }
 
+  const Sketch& sketch(std::size_t slot) const noexcept { return sketches_[slot]; }
+
   std::size_t leaves() const noexcept { return leaf_begins_.size() - 1; }
   std::size_t leaf_begin(std::size_t leaf) const noexcept { return leaf_begins_[leaf]; }
   std::size_t leaf_end(std::size_t leaf) const noexcept { return leaf_begins_[leaf + 1]; }
@@ -67,8 +70,8 @@ class Segment {
 
   /// Of the index alone: what a plain list of the entries would not need.
   std::size_t index_bytes() const noexcept {
-    return bounds_.bytes() + totals_.capacity() * sizeof(float) +
-           leaf_begins_.capacity() * sizeof(std::uint32_t) +
+    return bounds_.bytes() + sketches_.capacity() * sizeof(Sketch) +
+           totals_.capacity() * sizeof(float) + leaf_begins_.capacity() * sizeof(std::uint32_t) +
            (least_totals_.capacity() + greatest_totals_.capacity()) * sizeof(float) +
            by_id_.capacity() * sizeof(std::uint32_t);
   }
@@ -87,6 +90,7 @@ class Segment {
   std::vector<std::uint8_t> bytes_;
   InfoColumns infos_;
   std::vector<float> totals_;
+  std::vector<Sketch> sketches_;
   std::vector<std::uint32_t> by_id_;  ///< slots by ascending id; empty where they are so already
   KeyframeId least_id_{}, greatest_id_{};
 
@@ -117,6 +121,7 @@ class Segment::Builder {
     if (in_leaf == max_leaf_size || (in_leaf > 0 && !is_like_leaf(graph_histogram))) end_leaf();
     append(id, info, graph, size);
     segment_.totals_.push_back(static_cast<float>(total));
+    segment_.sketches_.emplace_back(graph_histogram);
     raise_to(graph_histogram);
   }
 
@@ -126,6 +131,7 @@ class Segment::Builder {
     for (std::size_t slot = 0; slot < other.size(); ++slot) {
       append(other.id(slot), other.info(slot), other.graph(slot), other.graph_size(slot));
       segment_.totals_.push_back(other.total(slot));
+      segment_.sketches_.push_back(other.sketch(slot));
     }
     const std::uint32_t before = segment_.leaf_begins_.back();
     for (std::size_t leaf = 0; leaf < other.leaves(); ++leaf) {
@@ -151,6 +157,7 @@ class Segment::Builder {
     s.bytes_.shrink_to_fit();
     s.infos_.shrink_to_fit();
     s.totals_.shrink_to_fit();
+    s.sketches_.shrink_to_fit();
     s.leaf_begins_.shrink_to_fit();
     s.least_totals_.shrink_to_fit();
     s.greatest_totals_.shrink_to_fit();
@@ -219,7 +226,7 @@ class Segment::Builder {
   LeafBounds::Builder bounds_;
   CoarseHistogram leaf_, raised_;
   NodeScan scan_;
-  std::vector<std::pair<std::uint32_t, double>> votes_;
+  std::vector<CoarseVote> votes_;
 };
 
 }  // namespace detail
