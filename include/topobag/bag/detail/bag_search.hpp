@@ -35,20 +35,15 @@ class BagSearch {
 
   SearchResult run() {
     visit_head();
-    const LeafOrder order(parts_, coarse_query_, query_.total());
+    LeafOrder order(parts_, coarse_query_, query_.total());
     // A leaf of each part first: good ones raise the floor, and then most leaves are not even
     // sorted.
-    std::vector<BoundedLeaf> first = order.best_of_each_part();
-    for (const BoundedLeaf& leaf : first) visit(leaf);
-    const auto place = [](const BoundedLeaf& leaf) { return std::make_pair(leaf.part, leaf.leaf); };
+    for (const BoundedLeaf& leaf : order.take_best_of_each_part()) visit(leaf);
     const double floor = std::max(0.0, best_.floor() - score_slack);
     for (const BoundedLeaf& leaf : order.at_least(static_cast<float>(floor))) {
       const auto bound = static_cast<double>(leaf.bound);
       if (!best_.wants(bound) || missed_ > bound) break;
-      const bool done = std::any_of(first.begin(), first.end(), [&](const BoundedLeaf& other) {
-        return place(other) == place(leaf);
-      });
-      if (!done) visit(leaf);
+      visit(leaf);
     }
     SearchResult result;
     result.candidates = best_.finish(parts_, [&](const StoredEntry& entry) {

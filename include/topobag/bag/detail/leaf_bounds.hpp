@@ -27,28 +27,28 @@ class LeafBounds {
   /// Adds to `sums[leaf]` the query's Σ min with each leaf, 1/64. O(Σ leaves that have a word).
   template <typename Sum>
   void add_common(const CoarseHistogram& query, Sum* sums) const {
+    DenseGroup group;
     auto column = columns_.begin();
     for (const CoarseEntry& entry : query) {
       column = std::lower_bound(column, columns_.end(), entry.word,
                                 [](const Column& c, std::uint32_t word) { return c.word < word; });
-      if (column == columns_.end()) return;
+      if (column == columns_.end()) break;
       if (column->word != entry.word) continue;
-      // A byte that is full may stand for more than it holds.
-      const bool beyond = entry.weight > full;
-      const auto cap = static_cast<std::uint8_t>(beyond ? full : entry.weight);
       const std::uint8_t* weights = weights_.data() + column->weights;
+      const auto cap = static_cast<std::uint8_t>(std::min(entry.weight, full));
       if (is_dense(*column)) {
-        for (std::size_t leaf = 0; leaf < leaves_; ++leaf) {
-          sums[leaf] = static_cast<Sum>(sums[leaf] + std::min(weights[leaf], cap));
-        }
+        if (!group.fits(cap)) add_dense(group, sums);
+        group.add(weights, cap);
       } else {
         const std::uint16_t* ids = ids_.data() + column->ids;
         for (std::size_t i = 0; i < column->size; ++i) {
           sums[ids[i]] = static_cast<Sum>(sums[ids[i]] + std::min(weights[i], cap));
         }
       }
-      if (beyond) add_beyond(*column, entry.weight - full, sums);
+      // A byte that is full may stand for more than it holds.
+      if (entry.weight > full) add_beyond(*column, entry.weight - full, sums);
     }
+    add_dense(group, sums);
   }
 
   std::size_t bytes() const noexcept {
@@ -121,6 +121,41 @@ class LeafBounds {
     std::uint32_t ids;      ///< where its leaves' numbers begin; `no_ids` when dense
   };
   static bool is_dense(const Column& column) noexcept { return column.ids == no_ids; }
+
+  /// Some dense columns whose sums fit into a byte: they are added up before the sums are touched.
+  struct DenseGroup {
+    static constexpr std::size_t capacity = 4;
+    const std::uint8_t* weights[capacity] = {};
+    std::uint8_t caps[capacity] = {};
+    std::size_t size = 0;
+    std::uint32_t sum = 0;
+
+    bool fits(std::uint8_t cap) const noexcept { return size < capacity && sum + cap <= full; }
+    void add(const std::uint8_t* column, std::uint8_t cap) noexcept {
+      weights[size] = column;
+      caps[size++] = cap;
+      sum += cap;
+    }
+  };
+
+  /// Adds the group's columns to the sums and empties it.
+  template <typename Sum>
+  void add_dense(DenseGroup& group, Sum* sums) const {
+    if (group.size == 0) return;
+    // Columns that are not there count as the first, of which they take nothing.
+    for (std::size_t i = group.size; i < DenseGroup::capacity; ++i) {
+      group.weights[i] = group.weights[0];
+    }
+    const auto [a, b, c, d] = group.weights;
+    const auto [cap_a, cap_b, cap_c, cap_d] = group.caps;
+    for (std::size_t leaf = 0; leaf < leaves_; ++leaf) {
+      const auto sum =
+          static_cast<std::uint8_t>(std::min(a[leaf], cap_a) + std::min(b[leaf], cap_b) +
+                                    std::min(c[leaf], cap_c) + std::min(d[leaf], cap_d));
+      sums[leaf] = static_cast<Sum>(sums[leaf] + sum);
+    }
+    group = {};
+  }
 
   template <typename Visit>
   void for_each(const Column& column, const Visit& visit) const {

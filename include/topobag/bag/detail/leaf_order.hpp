@@ -46,19 +46,21 @@ class LeafOrder {
     }
   }
 
-  /// The best leaf of each part.
-  std::vector<BoundedLeaf> best_of_each_part() const {
+  /// The best leaf of each part, which is then no longer among the others.
+  std::vector<BoundedLeaf> take_best_of_each_part() {
     std::vector<BoundedLeaf> best;
     for (std::uint32_t part = 0; part + 1 < begins_.size(); ++part) {
       const auto begin = bounds_.begin() + static_cast<std::ptrdiff_t>(begins_[part]);
       const auto end = bounds_.begin() + static_cast<std::ptrdiff_t>(begins_[part + 1]);
       if (begin == end) continue;
-      best.push_back(at(part, static_cast<std::size_t>(std::max_element(begin, end) - begin)));
+      const auto leaf = std::max_element(begin, end);
+      best.push_back(at(part, static_cast<std::size_t>(leaf - begin)));
+      *leaf = taken;
     }
     return best;
   }
 
-  /// Those that reach `floor`, best first.
+  /// Those that reach `floor` >= 0, best first.
   std::vector<BoundedLeaf> at_least(float floor) const {
     std::vector<BoundedLeaf> leaves;
     for (std::uint32_t part = 0; part + 1 < begins_.size(); ++part) {
@@ -74,6 +76,8 @@ class LeafOrder {
   }
 
  private:
+  static constexpr float taken = -1.0F;
+
   BoundedLeaf at(std::uint32_t part, std::size_t leaf) const {
     const std::size_t i = begins_[part] + leaf;
     return {bounds_[i], common_[i], part, static_cast<std::uint32_t>(leaf)};

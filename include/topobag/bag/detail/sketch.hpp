@@ -52,9 +52,9 @@ class SketchQuery {
   }
 
   float common(const Sketch& other) const noexcept {
-    std::uint32_t sum = 0;
+    std::uint16_t sum = 0;  // as narrow as holds it: more at a time
     for (std::size_t i = 0; i < Sketch::buckets; ++i) {
-      sum += std::min(sketch_.bytes_[i], other.bytes_[i]);
+      sum = static_cast<std::uint16_t>(sum + std::min(sketch_.bytes_[i], other.bytes_[i]));
     }
     // What does not fit into the query's bytes may be there in full.
     return static_cast<float>(sum + beyond_) / static_cast<float>(Sketch::steps);
