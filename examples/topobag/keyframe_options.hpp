@@ -17,7 +17,7 @@ void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize
 
 /// A map and the key frames to look up in it.
 struct MapAndQuery {
-  std::string map;
+  std::string map;  ///< a table, or a saved map
   std::string query;
   topobag::PinholeCamera<> map_camera;  ///< no focal length: that of the query
 };

@@ -62,9 +62,14 @@
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/bag/bag_view.hpp>
+#include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
+#include <topobag/bag/indexed_bag.hpp>
+#include <topobag/bag/memory_usage.hpp>
 #include <topobag/bag/query.hpp>
+#include <topobag/bag/search_result.hpp>
 #include <topobag/bag/snapshot.hpp>
 #include <topobag/bag/snapshot_file.hpp>
 #include <topobag/bag/snapshot_header.hpp>

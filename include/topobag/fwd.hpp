@@ -29,6 +29,8 @@ struct EntryInfo;
 struct QueryOptions;
 template <typename Graph, typename Similarity>
 class BagOfTopologyGraphs;
+class BagView;
+class IndexedBag;
 struct Recognition;
 template <typename Bag>
 class Relocalizer;

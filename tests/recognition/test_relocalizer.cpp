@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <random>
 
+#include <topobag/bag/indexed_bag.hpp>
 #include <topobag/evaluation/pose_error.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 
@@ -110,4 +111,31 @@ TEST_CASE("an empty map and an empty query are answered with nothing", "[recogni
   CHECK(none.usable);
   relocalizer.map().add(KeyframeId{1}, graph);
   CHECK_FALSE(relocalizer.localize(TopologyGraph<>{}).usable);
+}
+
+TEST_CASE("an indexed map gives the verdicts of a plain one with the same graphs",
+          "[recognition][index]") {
+  std::mt19937 random(7);
+  Relocalizer<IndexedBag> indexed;
+  Relocalizer<> plain;
+  for (unsigned i = 0; i < 40; ++i) {
+    indexed.map().add(KeyframeId{i}, SyntheticRoom(i % 10, 8, 6).seen_from(random_camera(random)));
+    plain.map().add(KeyframeId{i}, *indexed.map().find(KeyframeId{i}));
+  }
+  RecognitionOptions few;
+  few.max_candidates = 6;
+  for (unsigned i = 0; i < 10; ++i) {
+    const auto query = SyntheticRoom(i, 8, 6).seen_from(random_camera(random));
+    const Recognition a = indexed.localize(query, few), b = plain.localize(query, few);
+    CAPTURE(i);
+    REQUIRE(a);
+    REQUIRE(b);
+    CHECK(a.accepted->id == b.accepted->id);
+    CHECK(a.accepted->margin() == b.accepted->margin());
+    REQUIRE(a.candidates.size() == b.candidates.size());
+    for (std::size_t k = 0; k < a.candidates.size(); ++k) {
+      CHECK(a.candidates[k].id == b.candidates[k].id);
+      CHECK(a.candidates[k].similarity == b.candidates[k].similarity);
+    }
+  }
 }

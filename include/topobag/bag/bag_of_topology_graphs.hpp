@@ -89,8 +89,7 @@ class BagOfTopologyGraphs {
     std::vector<Candidate> found;
     const auto key = key_of(graph);
     for (const auto& [id, entry] : entries_) {
-      if (options.exclude.contains(id, entry.info)) continue;
-      if (options.filter && !options.filter(id, entry.info)) continue;
+      if (!options.admits(id, entry.info)) continue;
       const double score = score_of(key, entry);
       if (score >= options.min_score) found.push_back({id, score});
     }

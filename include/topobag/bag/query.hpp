@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -36,8 +37,19 @@ struct QueryOptions {
   std::size_t max_results = 10;
   double min_score = 0.0;  ///< similarity below which an entry is no candidate
   ExcludedNeighbors exclude;
+  EntryFilter among;  ///< by id, time, session, label and place
   std::function<bool(KeyframeId, const EntryInfo&)>
       filter;  ///< when set, only entries it returns true for
+
+  /// Whether there is an entry that might not be asked.
+  bool restricts() const {
+    return among.restricts() || exclude.id || exclude.stamp || static_cast<bool>(filter);
+  }
+
+  /// Whether an entry is asked at all.
+  bool admits(KeyframeId id, const EntryInfo& info) const {
+    return among.contains(id, info) && !exclude.contains(id, info) && (!filter || filter(id, info));
+  }
 };
 
 /// An entry of the bag that resembles the query.

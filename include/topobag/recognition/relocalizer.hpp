@@ -21,7 +21,22 @@ struct RecognitionOptions {
   DecisionOptions decision{};
 };
 
-/// Finds a lost camera in a map.
+namespace detail {
+
+/// The bag's view where it has one, else the bag itself.
+template <typename Bag>
+auto present_view(const Bag& bag, int) -> decltype(bag.view()) {
+  return bag.view();
+}
+template <typename Bag>
+const Bag* present_view(const Bag& bag, long) {
+  return &bag;
+}
+
+}  // namespace detail
+
+/// Finds a lost camera in a map. With an `IndexedBag`, one thread may add to the map while others
+/// localize.
 ///
 ///     Relocalizer<> relocalizer;
 ///     for (each key frame of the map) relocalizer.map().add(id, graph, {stamp, session,
@@ -47,7 +62,9 @@ class Relocalizer {
   Recognition localize(const Graph& query, const RecognitionOptions& options) const {
     QueryOptions retrieval = options.retrieval;
     retrieval.max_results = options.max_candidates;
-    return verify_candidates(map_, query, map_.query(query, retrieval), options.matching,
+    // Asked and verified as it is now, whatever a writer does meanwhile.
+    const auto map = detail::present_view(map_, 0);
+    return verify_candidates(*map, query, map->query(query, retrieval), options.matching,
                              options.decision);
   }
 

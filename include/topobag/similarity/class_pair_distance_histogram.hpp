@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -37,25 +38,63 @@ struct ClassPairDistanceHistogram {
 
   template <typename Scalar>
   SparseHistogram descriptor(const TopologyGraph<Scalar>& graph) const {
+    return descriptor_of(graph.nodes());
+  }
+
+  /// The same from the nodes alone, or from anything with their `label`, `size` and `position`.
+  template <typename Node>
+  SparseHistogram descriptor_of(const std::vector<Node>& nodes) const {
     std::vector<SparseHistogram::Entry> votes;
-    const auto& nodes = graph.nodes();
+    for_each_vote(nodes, [&](std::uint64_t word, double weight) {
+      votes.push_back({word, weight});
+    });
+    return SparseHistogram(std::move(votes));
+  }
+
+  /// Calls `visit(word, weight)` for every vote; their sums per word are the descriptor. O(n²).
+  template <typename Node, typename Visit>
+  void for_each_vote(const std::vector<Node>& nodes, const Visit& visit) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const auto& node = nodes[i];
-      votes.push_back({detail::histogram_word(node.label), class_vote * weights(node.label)});
-      vote_for_side(node.label, width, static_cast<double>(node.size.x()), votes);
-      vote_for_side(node.label, height, static_cast<double>(node.size.y()), votes);
+      const Node& node = nodes[i];
+      const double weight = weights(node.label);
+      visit(detail::histogram_word(node.label), class_vote * weight);
+      const double sides[] = {static_cast<double>(node.size.x()),
+                              static_cast<double>(node.size.y())};
+      for (std::uint64_t side = 0; side < 2; ++side) {
+        if (!(sides[side] > 0.0)) continue;
+        // Words of four parts, so none is a pair's.
+        for (const auto& [bin, share] : side_bins(octaves(sides[side]))) {
+          visit(detail::histogram_word(node.label, node.label, side, bin),
+                size_vote * weight * share);
+        }
+      }
       if (!node.position) continue;
       for (std::size_t j = i + 1; j < nodes.size(); ++j) {
         if (!nodes[j].position) continue;
         const auto [low, high] = std::minmax(node.label, nodes[j].label);
-        const double weight = std::sqrt(weights(low) * weights(high));
+        const double pair_weight = std::sqrt(weights(low) * weights(high));
         const auto distance = static_cast<double>((*node.position - *nodes[j].position).norm());
-        for (const auto& [bin, share] : detail::soft_bins(distance, bin_width, max_distance)) {
-          votes.push_back({detail::histogram_word(low, high, bin), weight * share});
+        for (const auto& [bin, share] : distance_bins(distance)) {
+          visit(detail::histogram_word(low, high, bin), pair_weight * share);
         }
       }
     }
-    return SparseHistogram(std::move(votes));
+  }
+
+  /// Between which bins a pair `distance` m apart votes.
+  std::array<detail::SoftBin, 2> distance_bins(double distance) const {
+    return detail::soft_bins(distance, bin_width, max_distance);
+  }
+
+  /// A side's length, m, as the bins count it: octaves above a millimetre.
+  static double octaves(double length) {
+    constexpr double smallest = 1e-3;
+    return std::log2(std::max(length, smallest) / smallest);
+  }
+
+  /// Between which bins a side of so many `octaves` votes.
+  std::array<detail::SoftBin, 2> side_bins(double octaves_of_side) const {
+    return detail::soft_bins(octaves_of_side, size_bin, 30.0);
   }
 
   double similarity(const SparseHistogram& p, const SparseHistogram& q) const {
@@ -65,22 +104,6 @@ struct ClassPairDistanceHistogram {
   template <typename Scalar>
   double operator()(const TopologyGraph<Scalar>& p, const TopologyGraph<Scalar>& q) const {
     return similarity(descriptor(p), descriptor(q));
-  }
-
- private:
-  static constexpr std::uint64_t width = 0, height = 1;
-
-  /// A soft vote for the logarithm of one side of a node's box, m; none where it is not known.
-  void vote_for_side(ClassId label, std::uint64_t side, double length,
-                     std::vector<SparseHistogram::Entry>& votes) const {
-    if (!(length > 0.0)) return;
-    constexpr double smallest = 1e-3, max_octaves = 30.0;
-    const double octaves = std::log2(std::max(length, smallest) / smallest);
-    const double weight = size_vote * weights(label);
-    // Words of four parts, so none is a pair's.
-    for (const auto& [bin, share] : detail::soft_bins(octaves, size_bin, max_octaves)) {
-      votes.push_back({detail::histogram_word(label, label, side, bin), weight * share});
-    }
   }
 };
 

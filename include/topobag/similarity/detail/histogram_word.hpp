@@ -22,12 +22,18 @@ constexpr std::uint64_t as_bits(ClassId label) noexcept {
 }
 constexpr std::uint64_t as_bits(std::uint64_t bits) noexcept { return bits; }
 
+/// What becomes of a word when the next part of its sequence is taken in.
+template <typename Part>
+constexpr std::uint64_t next_word(std::uint64_t word, Part part) noexcept {
+  return scatter(word ^ as_bits(part));
+}
+
 /// The word of a sequence of labels, bins and words. Two different sequences share one with
 /// probability 2⁻⁶⁴. The same on every machine.
 template <typename... Parts>
 constexpr std::uint64_t histogram_word(const Parts&... parts) noexcept {
   std::uint64_t word = sizeof...(parts);
-  ((word = scatter(word ^ as_bits(parts))), ...);
+  ((word = next_word(word, parts)), ...);
   return word;
 }
 

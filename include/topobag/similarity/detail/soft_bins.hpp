@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include <topobag/assert.hpp>
@@ -26,9 +25,10 @@ inline std::array<SoftBin, 2> soft_bins(double distance, double width,
                                         double max_distance) noexcept {
   TOPOBAG_ASSERT(width > 0.0 && max_distance >= 0.0 && max_distance < 0x1p32 * width);
   const double place = std::min(distance, max_distance) / width;
-  const double below = std::floor(place);
-  const auto bin = static_cast<std::uint64_t>(below);
-  return {{{bin, 1.0 - (place - below)}, {bin + 1, place - below}}};
+  const auto bin = static_cast<std::int64_t>(place);  // the floor, as place >= 0
+  const auto below = static_cast<double>(bin);
+  const auto word = static_cast<std::uint64_t>(bin);
+  return {{{word, 1.0 - (place - below)}, {word + 1, place - below}}};
 }
 
 }  // namespace detail

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <topobag/bag/detail/best_candidates.hpp>
+#include <topobag/bag/detail/common_mass.hpp>
+#include <topobag/bag/detail/leaf_order.hpp>
+#include <topobag/bag/search_result.hpp>
+#include <topobag/graph/topology_graph.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// One query of one bag: visits leaves by falling bound, until no leaf can hold a better graph.
+class BagSearch {
+ public:
+  BagSearch(const BagParts& parts, const ClassPairDistanceHistogram& similarity,
+            const TopologyGraph<double>& graph, const QueryOptions& options,
+            std::size_t max_visited)
+      : parts_(parts),
+        similarity_(similarity),
+        options_(options),
+        restricted_(options.restricts()),
+        max_visited_(max_visited),
+        query_(similarity.descriptor(graph)),
+        coarse_query_(coarse_histogram(query_)),
+        sketch_(coarse_query_),
+        common_mass_(similarity, query_, labels_of(graph)),
+        best_(options.max_results, options.min_score) {}
+
+  SearchResult run() {
+    visit_head();
+    LeafOrder order(parts_, coarse_query_, query_.total());
+    // A leaf of each part first: good ones raise the floor, and then most leaves are not even
+    // sorted.
+    for (const BoundedLeaf& leaf : order.take_best_of_each_part()) visit(leaf);
+    const double floor = std::max(0.0, best_.floor() - score_slack);
+    for (const BoundedLeaf& leaf : order.at_least(static_cast<float>(floor))) {
+      const auto bound = static_cast<double>(leaf.bound);
+      if (!best_.wants(bound) || missed_ > bound) break;
+      visit(leaf);
+    }
+    SearchResult result;
+    result.candidates = best_.finish(parts_, [&](const StoredEntry& entry) {
+      return similarity_.similarity(query_, similarity_.descriptor_of(scan_(entry.graph)));
+    });
+    result.entries = parts_.live;
+    result.visited = visited_;
+    result.missed_score = missed_;
+    result.exact = missed_ == 0.0;
+    return result;
+  }
+
+ private:
+  static std::vector<ClassId> labels_of(const TopologyGraph<double>& graph) {
+    std::vector<ClassId> labels;
+    for (const auto& node : graph.nodes()) labels.push_back(node.label);
+    return labels;
+  }
+
+  void visit_head() {
+    const auto total = static_cast<float>(query_.total());
+    for (std::size_t slot = 0; slot < parts_.head_size; ++slot) {
+      if (parts_.dead_in_head[slot]) continue;
+      const float stored = (*parts_.head)[slot].total;
+      visit({parts_.sealed->size(), slot}, jaccard_bound(total, total, stored, stored));
+    }
+  }
+
+  void visit(const BoundedLeaf& leaf) {
+    const auto total = static_cast<float>(query_.total());
+    const SealedPart& part = (*parts_.sealed)[leaf.part];
+    const Segment& segment = *part.segment;
+    const std::size_t end = segment.leaf_end(leaf.leaf);
+    for (std::size_t slot = segment.leaf_begin(leaf.leaf); slot < end; ++slot) {
+      if (!part.is_live(slot)) continue;
+      const float stored = segment.total(slot);
+      const float bound = jaccard_bound(leaf.common, total, stored, stored);
+      if (!best_.wants(static_cast<double>(bound))) continue;
+      const float common = std::min(leaf.common, sketch_.common(segment.sketch(slot)));
+      visit({leaf.part, slot}, jaccard_bound(common, total, stored, stored));
+    }
+  }
+
+  /// @param rounded_bound  of the graph's score
+  void visit(EntryPlace place, float rounded_bound) {
+    const auto bound = static_cast<double>(rounded_bound);
+    if (!best_.wants(bound)) return;
+    const StoredEntry entry = parts_.entry(place);
+    if (restricted_ && !options_.admits(entry.id, parts_.info(place))) return;
+    if (!(bound > 0.0)) {
+      best_.add_nothing_in_common(entry.id);
+    } else if (visited_ == max_visited_) {
+      missed_ = std::max(missed_, std::min(bound + score_slack, 1.0));
+    } else {
+      ++visited_;
+      const double shared = common_mass_(scan_(entry.graph));
+      const double all = query_.total() + static_cast<double>(entry.total) - shared;
+      best_.add(place, entry, shared > 0.0 ? shared / all : 0.0);
+    }
+  }
+
+  const BagParts& parts_;
+  const ClassPairDistanceHistogram& similarity_;
+  const QueryOptions& options_;
+  bool restricted_;
+  std::size_t max_visited_;
+  SparseHistogram query_;
+  CoarseHistogram coarse_query_;
+  SketchQuery sketch_;
+  CommonMass common_mass_;
+  NodeScan scan_;
+  BestCandidates best_;
+  std::size_t visited_ = 0;
+  double missed_ = 0.0;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag

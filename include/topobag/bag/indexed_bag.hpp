@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/bag/bag_view.hpp>
+#include <topobag/bag/detail/part_builder.hpp>
+#include <topobag/error.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// How the entries of another bag come into this one.
+struct MergeOptions {
+  std::uint32_t session_offset = 0;  ///< added to their sessions
+  std::optional<Eigen::Isometry3d>
+      T_world_other;  ///< from the other map's world to this one's; moves their poses when set
+};
+
+/// A bag of topology graphs for a million key frames: graphs in some 100 bytes each, exact answers
+/// without reading most of them, and readers that never wait.
+///
+/// Graphs are kept as `encode` rounds them. A query gives the same ids and scores, to the last bit,
+/// as `BagOfTopologyGraphs` over the graphs that `find` returns. It is fast when neighbours in the
+/// order of adding are alike, as key frames of a drive are.
+///
+/// One thread at a time may call what is not const; any number may take a `view()` meanwhile, and
+/// read it as long as they like. The const calls below ask such a view. After a call has thrown,
+/// the bag is as it was.
+class IndexedBag {
+ public:
+  using Graph = BagView::Graph;
+  using Similarity = BagView::Similarity;
+
+  /// @param views  whether the cameras that looked for the nodes are kept with the graphs
+  explicit IndexedBag(Similarity similarity = {}, ViewSection views = ViewSection::kept)
+      : similarity_(std::make_shared<const Similarity>(std::move(similarity))), views_(views) {
+    publish({});
+  }
+  /// O(1): the copies share what neither changes.
+  IndexedBag(const IndexedBag& other) : similarity_(other.similarity_), views_(other.views_) {
+    detail::BagParts parts = other.view()->parts_;
+    if (parts.head) parts.head = std::make_shared<detail::HeadBlock>(*parts.head);
+    publish(std::move(parts));
+  }
+  IndexedBag& operator=(const IndexedBag& other) {
+    IndexedBag copy(other);
+    similarity_ = copy.similarity_;
+    views_ = copy.views_;
+    publish(copy.parts());
+    return *this;
+  }
+
+  /// The bag as it is now. Thread-safe; O(1).
+  std::shared_ptr<const BagView> view() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return view_;
+  }
+
+  /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
+  /// for an entry that is not finite or as `encode` does. O(n² + log n) for n nodes, amortised.
+  void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
+    if (contains(id)) {
+      throw InvalidId("key frame " + std::to_string(value(id)) +
+                      " is in the bag already: use update");
+    }
+    detail::BagParts next = parts();
+    append(next, make_entry(id, graph, info));
+    publish(std::move(next));
+  }
+
+  /// Replaces a key frame's graph and info. Throws InvalidId if `id` is not there.
+  void update(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
+    const auto place = parts().find(id);
+    if (!place) {
+      throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
+    }
+    detail::HeadBlock::Entry entry = make_entry(id, graph, info);
+    detail::BagParts next = parts();
+    remove(next, *place);
+    append(next, std::move(entry));
+    publish(std::move(next));
+  }
+
+  /// Takes a key frame out; false if it was not there. Its room comes back when half of its segment
+  /// is gone, and with `compact`.
+  bool erase(KeyframeId id) {
+    const auto place = parts().find(id);
+    if (!place) return false;
+    detail::BagParts next = parts();
+    remove(next, *place);
+    publish(std::move(next));
+    return true;
+  }
+
+  void clear() { publish({}); }
+
+  /// Adds all entries of another bag. Ids that are free are kept; the others become the numbers
+  /// after the greatest of both bags, in their order. Returns where each id went. Throws
+  /// InvalidValue when the ids run out or a pose becomes infinite. O(n log n).
+  std::map<KeyframeId, KeyframeId> merge(const BagView& other, const MergeOptions& options = {}) {
+    const detail::BagParts& theirs = other.parts_;
+    std::map<KeyframeId, KeyframeId> new_ids = free_ids(theirs);
+    detail::BagParts next = sealed(parts());
+    detail::PartBuilder builder(*similarity_);
+    theirs.for_each([&](detail::EntryPlace place) {
+      const detail::StoredEntry entry = theirs.entry(place);
+      EntryInfo info = theirs.info(place);
+      info.session += options.session_offset;
+      if (options.T_world_other && info.T_world_camera) {
+        info.T_world_camera = *options.T_world_other * *info.T_world_camera;
+      }
+      info.validate();
+      builder.add(new_ids.at(entry.id), info, entry.graph, entry.graph_size);
+    });
+    auto sealed_parts = std::make_shared<detail::BagParts::Sealed>(*next.sealed);
+    for (detail::SealedPart& part : builder.finish()) sealed_parts->push_back(std::move(part));
+    next.sealed = std::move(sealed_parts);
+    next.live += theirs.live;
+    publish(std::move(next));
+    return new_ids;
+  }
+
+  /// Gives back all room of what is gone and makes the index as good as it gets. O(n).
+  void compact() {
+    detail::PartBuilder builder(*similarity_);
+    const detail::BagParts old = parts();
+    old.for_each([&](detail::EntryPlace place) { builder.add(old, place); });
+    detail::BagParts next;
+    next.sealed = std::make_shared<const detail::BagParts::Sealed>(builder.finish());
+    next.live = old.live;
+    publish(std::move(next));
+  }
+
+  std::size_t size() const { return view()->size(); }
+  bool empty() const { return view()->empty(); }
+  bool contains(KeyframeId id) const { return view()->contains(id); }
+  std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }
+  std::optional<EntryInfo> info(KeyframeId id) const { return view()->info(id); }
+  std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {
+    return view()->query(graph, options);
+  }
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    view()->for_each(visit);
+  }
+  MemoryUsage memory_usage() const { return view()->memory_usage(); }
+
+ private:
+  /// For the writer, who alone replaces the view.
+  const detail::BagParts& parts() const { return view_->parts_; }
+
+  void publish(detail::BagParts parts) {
+    auto next = std::make_shared<const BagView>(similarity_, std::move(parts));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    view_.swap(next);  // the old one goes when the lock is free again
+  }
+
+  detail::HeadBlock::Entry make_entry(KeyframeId id, const Graph& graph, EntryInfo info) {
+    info.validate();
+    detail::HeadBlock::Entry entry{id, std::move(info), encode(graph, views_), 0.0F};
+    entry.graph.insert(entry.graph.end(), detail::scan_margin, 0);
+    double total = 0.0;
+    similarity_->for_each_vote(scan_(entry.graph.data()),
+                               [&](std::uint64_t, double weight) { total += weight; });
+    entry.total = static_cast<float>(total);
+    return entry;
+  }
+
+  void append(detail::BagParts& next, detail::HeadBlock::Entry entry) const {
+    if (next.head_size == detail::HeadBlock::capacity) next = sealed(std::move(next));
+    if (!next.head) next.head = std::make_shared<detail::HeadBlock>();
+    (*next.head)[next.head_size++] = std::move(entry);
+    ++next.live;
+  }
+
+  void remove(detail::BagParts& next, detail::EntryPlace place) const {
+    --next.live;
+    if (place.part == next.sealed->size()) {
+      next.dead_in_head.set(place.slot);
+      return;
+    }
+    auto parts = std::make_shared<detail::BagParts::Sealed>(*next.sealed);
+    detail::SealedPart& part = (*parts)[place.part];
+    auto dead = part.dead ? std::make_shared<detail::DeadSlots>(*part.dead)
+                          : std::make_shared<detail::DeadSlots>(part.segment->size());
+    dead->insert(place.slot);
+    part.dead = std::move(dead);
+    if (part.live() == 0) {
+      parts->erase(parts->begin() + static_cast<std::ptrdiff_t>(place.part));
+    } else if (2 * part.dead->size() > part.segment->size()) {
+      part = detail::merged({part}, 1, *similarity_);
+    }
+    next.sealed = std::move(parts);
+  }
+
+  /// The same entries with an empty head.
+  detail::BagParts sealed(detail::BagParts parts) const {
+    auto segments = std::make_shared<detail::BagParts::Sealed>(*parts.sealed);
+    detail::PartBuilder builder(*similarity_);
+    for (std::size_t slot = 0; slot < parts.head_size; ++slot) {
+      if (!parts.dead_in_head[slot]) builder.add(parts, {segments->size(), slot});
+    }
+    for (detail::SealedPart& part : builder.finish()) segments->push_back(std::move(part));
+    while (const std::size_t count = detail::ripe_for_merge(*segments)) {
+      detail::SealedPart part = detail::merged(*segments, count, *similarity_);
+      segments->resize(segments->size() - count);
+      segments->push_back(std::move(part));
+    }
+    detail::BagParts next;
+    next.sealed = std::move(segments);
+    next.live = parts.live;
+    return next;
+  }
+
+  std::map<KeyframeId, KeyframeId> free_ids(const detail::BagParts& theirs) const {
+    std::map<KeyframeId, KeyframeId> new_ids;
+    std::uint64_t greatest = 0;
+    parts().for_each([&](detail::EntryPlace place) {
+      greatest = std::max(greatest, value(parts().entry(place).id));
+    });
+    theirs.for_each([&](detail::EntryPlace place) {
+      const KeyframeId id = theirs.entry(place).id;
+      greatest = std::max(greatest, value(id));
+      new_ids.emplace(id, id);
+    });
+    for (auto& [id, new_id] : new_ids) {
+      if (!parts().find(id)) continue;
+      if (greatest == std::numeric_limits<std::uint64_t>::max()) {
+        throw InvalidValue("no ids are left after the greatest: give the key frames lower ones");
+      }
+      new_id = KeyframeId{++greatest};
+    }
+    return new_ids;
+  }
+
+  std::shared_ptr<const Similarity> similarity_;
+  ViewSection views_;
+  detail::NodeScan scan_;  ///< the writer's
+  mutable std::mutex mutex_;
+  std::shared_ptr<const BagView> view_;  ///< replaced under `mutex_`
+};
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/bag/indexed_bag.hpp>
+
+#include "bag/desk_pieces.hpp"
+#include "catch.hpp"
+#include "recombined_graphs.hpp"
+
+using namespace topobag;
+
+namespace {
+
+using Graph = TopologyGraph<>;
+using Oracle = BagOfTopologyGraphs<>;
+
+Graph stored(const Graph& graph) { return decode<double>(encode(graph)); }
+
+std::string text_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+QueryOptions random_options(RecombinedGraphs& source, std::uint64_t ids) {
+  QueryOptions options;
+  options.max_results = source.chance(0.7) ? 10 : source.below(40);
+  if (source.chance(0.3)) options.min_score = source.unit();
+  if (source.chance(0.6)) return options;
+  const std::uint64_t id = source.below(ids);
+  switch (source.below(6)) {
+    case 0:
+      options.exclude.id = KeyframeId{id};
+      options.exclude.min_id_gap = 50;
+      break;
+    case 1:
+      options.exclude.stamp = 0.4 * static_cast<double>(id);
+      options.exclude.min_time_gap = 20.0;
+      break;
+    case 2:
+      options.among.min_id = KeyframeId{id};
+      options.among.max_stamp = 0.4 * static_cast<double>(id + 500);
+      break;
+    case 3:
+      options.among.sessions = {1, 3};
+      break;
+    case 4:
+      options.among.region = MapRegion{Eigen::Vector3d(0.1 * static_cast<double>(id), 0, 0), 20.0};
+      break;
+    default:
+      options.filter = [](KeyframeId candidate, const EntryInfo& info) {
+        return value(candidate) % 3 == 0 || info.label == "upstairs";
+      };
+  }
+  return options;
+}
+
+EntryInfo random_info(RecombinedGraphs& source, std::uint64_t id) {
+  EntryInfo info;
+  if (!source.chance(0.1)) info.stamp = 0.4 * static_cast<double>(id);
+  info.session = static_cast<std::uint32_t>(source.below(5));
+  if (source.chance(0.2)) info.label = "upstairs";
+  if (source.chance(0.5)) {
+    info.T_world_camera = Eigen::Isometry3d::Identity();
+    info.T_world_camera->translation().x() = 0.1 * static_cast<double>(id);
+    info.T_world_camera->rotate(Eigen::AngleAxisd(source.unit(), Eigen::Vector3d::UnitY()));
+  }
+  return info;
+}
+
+/// The same sequence of random changes and queries through both bags.
+void compare_with_brute_force(std::uint64_t seed, std::uint64_t ids, std::size_t steps,
+                              std::size_t queries, bool in_order) {
+  RecombinedGraphs source(desk_pieces(static_cast<unsigned>(seed)), seed);
+  IndexedBag bag;
+  Oracle oracle;
+  std::vector<RecombinedGraphs::Nodes> places{source.place()};
+  Graph last = source.keyframe(places.back());
+  std::uint64_t next = 0;
+  std::size_t differences = 0;
+  for (std::size_t step = 0; step < steps; ++step) {
+    if (source.chance(0.06)) places.push_back(source.place());
+    Graph graph = source.keyframe(in_order ? places.back() : places[source.below(places.size())]);
+    if (source.chance(0.05)) graph = last;  // a tie
+    last = graph;
+    const KeyframeId id{in_order && next < ids ? next++ : source.below(ids)};
+    const EntryInfo info = random_info(source, value(id));
+    if (source.chance(0.25)) {
+      differences += bag.erase(id) == oracle.erase(id) ? 0U : 1U;
+    } else if (oracle.contains(id)) {
+      bag.update(id, graph, info);
+      oracle.update(id, stored(graph), info);
+    } else {
+      bag.add(id, graph, info);
+      oracle.add(id, stored(graph), info);
+    }
+    if (source.chance(2.0 / static_cast<double>(steps))) bag.compact();
+    if (source.chance(2.0 / static_cast<double>(steps))) bag = IndexedBag(bag);
+    if (!source.chance(static_cast<double>(queries) / static_cast<double>(steps))) continue;
+    const Graph query = source.keyframe(places[source.below(places.size())]);
+    const QueryOptions options = random_options(source, ids);
+    differences += bag.query(query, options) == oracle.query(query, options) ? 0U : 1U;
+  }
+  CHECK(differences == 0);
+  REQUIRE(bag.size() == oracle.size());
+  std::vector<KeyframeId> kept;
+  bag.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
+    kept.push_back(id);
+    const auto wanted = oracle.info(id);
+    REQUIRE(wanted);
+    CHECK(encode(graph) == encode(*oracle.find(id)));
+    CHECK(info.stamp == wanted->stamp);
+    CHECK(info.session == wanted->session);
+    CHECK(info.label == wanted->label);
+    REQUIRE(info.T_world_camera.has_value() == wanted->T_world_camera.has_value());
+    if (info.T_world_camera) CHECK(info.T_world_camera->isApprox(*wanted->T_world_camera, 1e-14));
+  });
+  CHECK(std::is_sorted(kept.begin(), kept.end()));
+  CHECK(kept.size() == bag.size());
+}
+
+/// Key frames of `places` places, ten of each in a row, under the ids 0, 1, …
+IndexedBag bag_of(RecombinedGraphs& source, std::size_t places) {
+  IndexedBag bag;
+  for (std::size_t p = 0; p < places; ++p) {
+    const auto place = source.place();
+    for (std::size_t i = 0; i < 10; ++i) bag.add(KeyframeId{10 * p + i}, source.keyframe(place));
+  }
+  return bag;
+}
+
+Oracle oracle_of(const IndexedBag& bag, const ClassPairDistanceHistogram& similarity = {}) {
+  Oracle oracle(similarity);
+  bag.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
+    oracle.add(id, graph, info);
+  });
+  return oracle;
+}
+
+/// Writes and reads at once for `time`; every view has to be whole.
+void write_and_read(std::chrono::milliseconds time) {
+  RecombinedGraphs source(desk_pieces(1), 1);
+  IndexedBag bag = bag_of(source, 30);
+  std::vector<Graph> queries;
+  for (int i = 0; i < 20; ++i) queries.push_back(source.keyframe(source.place()));
+  std::atomic<bool> stop{false};
+  std::atomic<std::size_t> torn{0}, reads{0};
+  const auto read = [&](std::size_t reader) {
+    for (std::size_t i = reader; !stop; ++i) {
+      const auto view = bag.view();
+      const auto found = view->query(queries[i % queries.size()]);
+      const bool again = view->query(queries[i % queries.size()]) == found;
+      bool whole = again && found.size() == std::min<std::size_t>(10, view->size());
+      for (const Candidate& candidate : found) {
+        const auto graph = view->find(candidate.id);
+        // The writer gives every graph its number of nodes as its session.
+        whole = whole && graph && view->info(candidate.id)->session == graph->size();
+      }
+      if (i % 50 == reader) {
+        std::size_t entries = 0;
+        view->for_each([&](KeyframeId, const EntryInfo&, const Graph&) { ++entries; });
+        whole = whole && entries == view->size();
+      }
+      if (!whole) ++torn;
+      ++reads;
+    }
+  };
+  bag.clear();
+  std::vector<std::thread> readers;
+  for (std::size_t i = 0; i < 4; ++i) readers.emplace_back(read, i);
+  const auto end = std::chrono::steady_clock::now() + time;
+  auto place = source.place();
+  for (std::uint64_t i = 0; std::chrono::steady_clock::now() < end || reads < 40; ++i) {
+    if (i % 12 == 0) place = source.place();
+    const Graph graph = source.keyframe(place);
+    EntryInfo info;
+    info.session = static_cast<std::uint32_t>(graph.size());
+    bag.add(KeyframeId{i}, graph, info);
+    const KeyframeId old{source.below(static_cast<std::size_t>(i) + 1)};
+    if (i % 3 == 0) bag.erase(old);
+    if (i % 3 == 1 && bag.contains(old)) bag.update(old, graph, info);
+    if (i % 5000 == 4999) bag.compact();
+    if (bag.size() > 3000) bag.clear();
+  }
+  stop = true;
+  for (std::thread& reader : readers) reader.join();
+  CHECK(torn == 0);
+  CHECK(reads >= 40);
+}
+
+}  // namespace
+
+TEST_CASE("an indexed bag answers as brute force over its graphs does", "[bag][index]") {
+  compare_with_brute_force(1, 50, 400, 200, false);
+  compare_with_brute_force(2, 700, 1500, 250, true);
+  compare_with_brute_force(3, 700, 1500, 250, false);
+}
+
+TEST_CASE("an indexed bag answers 20,000 queries as brute force does", "[bag][index][long]") {
+  for (std::uint64_t seed = 10; seed < 15; ++seed) {
+    compare_with_brute_force(seed, 100, 5000, 2500, false);
+    compare_with_brute_force(seed, 5000, 9000, 1000, true);
+    compare_with_brute_force(seed, 5000, 9000, 700, false);
+  }
+}
+
+TEST_CASE("the index keeps to unusual graphs, weights and bins", "[bag][index]") {
+  std::mt19937 random(5);
+  std::vector<Graph> graphs{Graph{}};
+  for (const std::size_t size : {1u, 2u, 5u, 20u, 60u}) {
+    graphs.push_back(random_graph(random, size, 2));
+    graphs.push_back(random_graph(random, size, 2, false));
+    graphs.push_back(random_graph(random, size, 300));
+    std::vector<Graph::Node> heap = random_nodes(random, size, 1);  // heavy words
+    for (auto& node : heap) node.position = Eigen::Vector3d(1e-3 * node.size.x(), 0.0, 2.0);
+    graphs.emplace_back(heap);
+    for (auto& node : heap) node.label = ClassId{-7};
+    heap.front().position = Eigen::Vector3d(900.0, -900.0, 1e5);
+    heap.back().size = {200.0, 0.0};
+    graphs.emplace_back(heap);
+  }
+  ClassPairDistanceHistogram weighted, coarse, without_sizes;
+  weighted.weights.set(ClassId{1}, 30.0);
+  weighted.weights.set(ClassId{2}, 0.0);
+  weighted.weights.set(ClassId{3}, 1e-3);
+  coarse.bin_width = 7.0;
+  without_sizes.size_vote = 0.0;
+  for (const auto& similarity : {ClassPairDistanceHistogram{}, weighted, coarse, without_sizes}) {
+    IndexedBag bag(similarity);
+    for (std::uint64_t i = 0; i < 400; ++i) bag.add(KeyframeId{i}, graphs[i % graphs.size()]);
+    const Oracle oracle = oracle_of(bag, similarity);
+    for (const Graph& query : graphs) {
+      for (const std::size_t results : {1u, 10u, 500u}) {
+        QueryOptions options;
+        options.max_results = results;
+        CHECK(bag.query(query, options) == oracle.query(query, options));
+      }
+    }
+  }
+}
+
+TEST_CASE("ties of equal graphs, and of graphs with nothing in common, go by id", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(1), 1);
+  const auto place = source.place();
+  const Graph graph = source.keyframe(place);
+  std::vector<Graph::Node> others = graph.nodes();
+  for (auto& node : others) node.label = ClassId{value(node.label) + 100};
+  IndexedBag bag;
+  for (std::uint64_t i = 500; i-- > 0;)
+    bag.add(KeyframeId{i}, i % 100 == 7 ? graph : Graph(others));
+  QueryOptions options;
+  options.max_results = 7;
+  const auto found = bag.query(stored(graph), options);
+  REQUIRE(found.size() == 7);
+  const std::uint64_t wanted[] = {7, 107, 207, 307, 407, 0, 1};
+  for (std::size_t i = 0; i < 7; ++i) {
+    CHECK(value(found[i].id) == wanted[i]);
+    CHECK(found[i].score == (i < 5 ? 1.0 : 0.0));
+  }
+  options.min_score = 1e-9;
+  CHECK(bag.query(stored(graph), options).size() == 5);
+  options.max_results = 0;
+  CHECK(bag.query(graph, options).empty());
+  CHECK(IndexedBag{}.query(graph).empty());
+}
+
+TEST_CASE("most graphs are never touched", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(2), 2);
+  const IndexedBag bag = bag_of(source, 300);
+  std::size_t visited = 0;
+  for (int i = 0; i < 20; ++i) {
+    const auto place = source.place();
+    const SearchResult result = bag.view()->search(source.keyframe(place));
+    CHECK(result.exact);
+    CHECK(result.missed_score == 0.0);
+    CHECK(result.entries == 3000);
+    CHECK(result.untouched() == 3000 - result.visited);
+    visited += result.visited;
+  }
+  CHECK(visited < 20 * 3000 / 3);
+}
+
+TEST_CASE("a search on a budget bounds what it missed", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(3), 3);
+  const IndexedBag bag = bag_of(source, 60);
+  const Oracle oracle = oracle_of(bag);
+  for (int i = 0; i < 20; ++i) {
+    const Graph query = source.keyframe(source.place());
+    QueryOptions all;
+    all.max_results = bag.size();
+    std::map<KeyframeId, double> scores;
+    for (const Candidate& candidate : oracle.query(query, all)) {
+      scores.emplace(candidate.id, candidate.score);
+    }
+    for (const std::size_t budget : {0u, 1u, 20u, 100u, 300u, 600u}) {
+      const SearchResult result = bag.view()->search(query, {}, budget);
+      CHECK(result.visited <= budget);
+      CHECK(result.candidates == bag.view()->search(query, {}, budget).candidates);
+      for (const Candidate& candidate : result.candidates) {
+        CHECK(candidate.score == scores.at(candidate.id));
+      }
+      for (const Candidate& best : oracle.query(query)) {
+        const auto& found = result.candidates;
+        if (std::find(found.begin(), found.end(), best) != found.end()) continue;
+        CHECK_FALSE(result.exact);
+        CHECK(best.score <= result.missed_score);
+      }
+      CHECK(result.missed_score <= 1.0);
+      if (budget >= bag.size()) CHECK(result.exact);
+    }
+  }
+}
+
+TEST_CASE("a view and a copy stay as they were", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(4), 4);
+  IndexedBag bag = bag_of(source, 20);
+  const Graph query = source.keyframe(source.place());
+  const auto view = bag.view();
+  const auto before = view->query(query);
+  IndexedBag copy = bag;
+  for (std::uint64_t i = 0; i < 150; ++i) CHECK(bag.erase(KeyframeId{i}));
+  for (std::uint64_t i = 150; i < 170; ++i) bag.update(KeyframeId{i}, query);
+  for (std::uint64_t i = 1000; i < 1200; ++i) bag.add(KeyframeId{i}, query);
+  copy.add(KeyframeId{5000}, Graph{});
+  bag.add(KeyframeId{5000}, query);
+  CHECK(view->query(query) == before);
+  CHECK(view->size() == 200);
+  CHECK(copy.size() == 201);
+  CHECK(copy.find(KeyframeId{5000})->empty());
+  CHECK(bag.size() == 251);
+  CHECK(copy.query(query) == before);
+  copy = bag;
+  CHECK(copy.query(query) == bag.query(query));
+  bag.clear();
+  CHECK(bag.empty());
+  CHECK(copy.size() == 251);
+}
+
+TEST_CASE("what an indexed bag refuses changes nothing", "[bag][index]") {
+  IndexedBag bag;
+  bag.add(KeyframeId{7}, Graph{});
+  EntryInfo bad;
+  bad.stamp = std::nan("");
+  CHECK(text_of([&] { bag.add(KeyframeId{7}, Graph{}); }) ==
+        "key frame 7 is in the bag already: use update");
+  CHECK(text_of([&] { bag.update(KeyframeId{8}, Graph{}); }) ==
+        "key frame 8 is not in the bag: use add");
+  CHECK(text_of([&] { bag.add(KeyframeId{8}, Graph{}, bad); }) ==
+        "the entry's stamp is not finite");
+  CHECK(text_of([&] { bag.update(KeyframeId{7}, Graph{}, bad); }) ==
+        "the entry's stamp is not finite");
+  CHECK(bag.size() == 1);
+  CHECK_FALSE(bag.info(KeyframeId{7})->stamp);
+  CHECK_FALSE(bag.find(KeyframeId{8}));
+  CHECK_FALSE(bag.erase(KeyframeId{8}));
+}
+
+TEST_CASE("bags merge, and say where each key frame went", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(5), 5);
+  IndexedBag bag = bag_of(source, 20), other = bag_of(source, 1);
+  EntryInfo info;
+  info.session = 2;
+  info.T_world_camera = Eigen::Isometry3d::Identity();
+  other.add(KeyframeId{900}, source.keyframe(source.place()), info);
+  MergeOptions options;
+  options.session_offset = 10;
+  options.T_world_other = Eigen::Isometry3d(Eigen::Translation3d(1.0, 2.0, 3.0));
+  const auto ids = bag.merge(*other.view(), options);
+  CHECK(bag.size() == 211);
+  REQUIRE(ids.size() == 11);
+  for (std::uint64_t i = 0; i < 10; ++i) CHECK(ids.at(KeyframeId{i}) == KeyframeId{901 + i});
+  CHECK(ids.at(KeyframeId{900}) == KeyframeId{900});
+  for (const auto& [old_id, new_id] : ids) {
+    CHECK(encode(*bag.find(new_id)) == encode(*other.find(old_id)));
+  }
+  CHECK(bag.info(KeyframeId{900})->session == 12);
+  CHECK(bag.info(KeyframeId{901})->session == 10);
+  CHECK(bag.info(KeyframeId{900})->T_world_camera->translation() == Eigen::Vector3d(1.0, 2.0, 3.0));
+  const Oracle oracle = oracle_of(bag);
+  for (int i = 0; i < 20; ++i) {
+    const Graph query = source.keyframe(source.place());
+    CHECK(bag.query(query) == oracle.query(query));
+  }
+  bag.add(KeyframeId{std::numeric_limits<std::uint64_t>::max()}, Graph{});
+  CHECK_THROWS_AS(bag.merge(*bag.view()), InvalidValue);
+  CHECK(bag.size() == 212);
+}
+
+TEST_CASE("room comes back", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(6), 6);
+  IndexedBag bag = bag_of(source, 200);
+  const std::size_t full = bag.memory_usage().total();
+  CHECK(bag.memory_usage().graphs / bag.size() < 150);
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    if (i % 10 != 0) bag.erase(KeyframeId{i});
+  }
+  CHECK(bag.size() == 200);
+  CHECK(bag.memory_usage().total() < full / 2);
+  bag.compact();
+  CHECK(bag.memory_usage().total() < full / 3);
+  for (std::uint64_t i = 0; i < 2000; i += 10) CHECK(bag.contains(KeyframeId{i}));
+  for (std::uint64_t i = 0; i < 2000; i += 10) bag.erase(KeyframeId{i});
+  CHECK(bag.empty());
+  CHECK(bag.memory_usage().total() < 1000);
+}
+
+TEST_CASE("readers and a writer do not disturb each other", "[bag][index]") {
+  write_and_read(std::chrono::milliseconds(500));
+}
+
+TEST_CASE("readers and a writer do not disturb each other for long", "[bag][index][long]") {
+  write_and_read(std::chrono::seconds(35));
+}
