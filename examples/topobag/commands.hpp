@@ -11,6 +11,7 @@ namespace program {
 void add_compare_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
 void add_info_command(CLI::App& app);
+void add_explain_command(CLI::App& app);
 void add_localize_command(CLI::App& app);
 void add_loops_command(CLI::App& app);
 void add_map_command(CLI::App& app);

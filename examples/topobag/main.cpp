@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   program::add_compare_command(app);
   program::add_evaluate_command(app);
   program::add_info_command(app);
+  program::add_explain_command(app);
   program::add_localize_command(app);
   program::add_loops_command(app);
   program::add_map_command(app);
