@@ -184,33 +184,6 @@ TEST_CASE("after a reset ids restart and late sightings of before are refused", 
   CHECK(host.database.size() == 1);
 }
 
-TEST_CASE("graphs of a window are fused with the poses of now", "[adaptors]") {
-  Host host;
-  // The room in two halves, each seen by one key frame.
-  KeyFrame& first = host.make(1, 0.0);
-  KeyFrame& second = host.make(2, 1.0);
-  KeyframeSighting half = host.seen_in(first), other_half = host.seen_in(second);
-  half.nodes.resize(5);
-  other_half.nodes.erase(other_half.nodes.begin(), other_half.nodes.begin() + 5);
-  host.database.observe(0, 1, half);
-  host.database.add(&first);
-  host.database.observe(0, 2, other_half);
-  // Tracking put the second key frame 1 m aside; the graph of it is wrong until refreshed.
-  const Eigen::Isometry3d truth = host_pose(second.GetPoseInverse());
-  second.SetPoseInverse(Eigen::Translation3d(1.0, 0.0, 0.0) * truth);
-  host.database.add(&second);
-  host.database.erase(&first);
-  const Frame frame{9.0, random_camera(host.random)};
-  const auto score = [&] {
-    const auto places = host.database.relocalization_places(frame);
-    return places.empty() ? 0.0 : places.front().score;
-  };
-  const double askew = score();
-  second.SetPoseInverse(truth);
-  host.database.refresh();
-  CHECK(score() != askew);
-}
-
 TEST_CASE("what goes wrong is counted and not thrown at the host", "[adaptors]") {
   Host host;
   Database throwing(without_waiting(), [](const Frame&) -> std::optional<TopologyGraph<>> {

@@ -6,11 +6,10 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include <topobag/sensing/depth_sampling.hpp>
-#include <topobag/sensing/depth_view.hpp>
+#include <topobag/adaptors/opencv.hpp>
+#include <topobag/sensing/range_detections.hpp>
 
 #include "input_error.hpp"
-#include "object_detector.hpp"
 #include "progress.hpp"
 
 namespace program {
@@ -50,29 +49,23 @@ void require_size(const cv::Mat& image, const std::string& path, topobag::Pinhol
 }  // namespace
 
 NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& model,
-                       const std::vector<topobag::ClassId>& classes, const YoloxOptions& options,
+                       const std::vector<topobag::ClassId>& classes, const topobag::YoloOptions& options,
                        double depth_scale, topobag::PinholeCamera<>& camera) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are ours to tell
-  ObjectDetector detect(model, classes, options);
-  const topobag::RobustBoxDepth depth_in;
+  topobag::YoloDetector detect(model, classes, options);
   Progress progress(frames.size(), "images");
   NodeTable table;
   for (const RgbdFrame& frame : frames) {
     const cv::Mat rgb = read_image(frame.rgb, cv::IMREAD_COLOR);
     require_size(rgb, frame.rgb, camera);
     const cv::Mat depth = read_depth(frame.depth, rgb.size());
-    const topobag::DepthView<std::uint16_t> view(depth.ptr<std::uint16_t>(), depth.cols, depth.rows,
-                                                 depth_scale,
-                                                 static_cast<std::ptrdiff_t>(depth.step1()));
     FrameRow row;
     row.idx = static_cast<std::int64_t>(table.frames.size());
     row.name = std::filesystem::path(frame.rgb).filename().string();
     row.timestamp = frame.timestamp;
     row.T_world_camera = frame.T_world_camera;
-    for (const topobag::Detection& found : detect(rgb)) {
-      row.detections.push_back(
-          {found.box, found.label, found.confidence, depth_in(view, found.box).value_or(0.0)});
-    }
+    row.detections = topobag::range_detections(
+        detect(rgb), topobag::DepthImage(depth, depth_scale), camera);
     table.frames.push_back(std::move(row));
     progress.step();
   }
