@@ -6,7 +6,8 @@
 // frames so far and verify the candidates, add it. A second sequence of the same place is then
 // looked up in that map, as a lost tracker does. The whole is repeated; each key frame counts with
 // its median. Tables are files of the `topobag` program: MAP and QUERY, by default those of
-// examples/data.
+// examples/data; CANDIDATES, by default as many as `OrbSlamOptions` has, are verified for each
+// query.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include <topobag/adaptors/orb_slam.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph.hpp>
@@ -93,8 +95,8 @@ void report(const char* what, const std::vector<std::vector<Cost>>& runs, std::s
   const double fuse = quantile(medians([](const Cost& c) { return c.fuse; }), 0.5);
   const double find = quantile(medians([](const Cost& c) { return c.find; }), 0.5);
   const double add = quantile(medians([](const Cost& c) { return c.add; }), 0.5);
-  std::printf("%-10s %10zu %8zu %8.1f %8.1f %8.1f %8.1f %9.1f %9.1f\n", what, total.size(), map_size,
-              lift, fuse, find, add, quantile(total, 0.5), quantile(total, 0.95));
+  std::printf("%-10s %10zu %8zu %8.1f %8.1f %8.1f %8.1f %9.1f %9.1f\n", what, total.size(),
+              map_size, lift, fuse, find, add, quantile(total, 0.5), quantile(total, 0.95));
   std::printf(
       "{\"bench\":\"frontend\",\"what\":\"%s\",\"key_frames\":%zu,\"map\":%zu,\"accepted\":%zu,"
       "\"lift_us\":%.1f,\"fuse_us\":%.1f,\"find_us\":%.1f,\"add_us\":%.1f,\"median_us\":%.1f,"
@@ -109,16 +111,18 @@ int main(int argc, char** argv) {
   const std::string data = std::string(TOPOBAG_SOURCES) + "/examples/data/";
   const std::string map_set = argc > 2 ? argv[1] : data + "fr1_xyz";
   const std::string query_set = argc > 2 ? argv[2] : data + "fr1_rpy";
+  RecognitionOptions recognition = OrbSlamOptions{}.recognition;
+  if (argc > 3) recognition.max_candidates = static_cast<std::size_t>(std::atoi(argv[3]));
   const PinholeCamera<> camera{517.3, 516.5, 318.6, 255.3, 640, 480};
   const ClassCatalog catalog = ClassCatalog::coco80();
   try {
     const program::NodeTable map_table = program::read_node_table(map_set);
     const program::NodeTable query_table = program::read_node_table(query_set);
-    constexpr std::size_t repeats = 15;
+    constexpr std::size_t repeats = 7;
     std::vector<std::vector<Cost>> growing, lost;
     std::size_t loops = 0, found = 0, size = 0;
     for (std::size_t i = 0; i < repeats; ++i) {
-      Relocalizer<> map;
+      Relocalizer<> map(recognition);
       loops = found = 0;
       growing.push_back(run(map_table, camera, catalog, map, true, loops));
       lost.push_back(run(query_table, camera, catalog, map, false, found));

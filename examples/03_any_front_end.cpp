@@ -28,9 +28,12 @@ struct Thing {
   double width, height;      // m
 };
 std::vector<Thing> things_at(double stamp) {
-  return {{"tv", {0.0, -0.25, 2.0}, 0.5, 0.3},   {"keyboard", {0.0, 0.3, 1.6}, 0.4, 0.1},
-          {"mouse", {0.45, 0.3, 1.6}, 0.08, 0.06}, {"cup", {-0.6, 0.15, 1.8}, 0.1, 0.12},
-          {"book", {-0.75, -0.3, 2.1}, 0.25, 0.3}, {"potted plant", {0.8, -0.3, 2.2}, 0.3, 0.4},
+  return {{"tv", {0.0, -0.25, 2.0}, 0.5, 0.3},
+          {"keyboard", {0.0, 0.3, 1.6}, 0.4, 0.1},
+          {"mouse", {0.45, 0.3, 1.6}, 0.08, 0.06},
+          {"cup", {-0.6, 0.15, 1.8}, 0.1, 0.12},
+          {"book", {-0.75, -0.3, 2.1}, 0.25, 0.3},
+          {"potted plant", {0.8, -0.3, 2.2}, 0.3, 0.4},
           {"person", {std::fmod(0.3 * stamp, 2.0) - 1.0, 0.0, 3.0}, 0.4, 0.8}};
 }
 
@@ -65,8 +68,8 @@ std::optional<double> depth_at(const Eigen::Vector2d& pixel, double stamp,
 }  // namespace
 
 int main() {
-  LocalGraph<> window;                           // the last 3 s
-  LoopDetector<> loops(LoopOptions{20.0, {}});   // a loop is at least 20 s old
+  LocalGraph<> window;                          // the last 3 s
+  LoopDetector<> loops(LoopOptions{20.0, {}});  // a loop is at least 20 s old
   std::optional<Eigen::Isometry3d> T_world_previous;
   std::size_t masked = 0, found = 0;
 
@@ -80,8 +83,7 @@ int main() {
     const auto depth = [&](const Eigen::Vector2d& pixel) {
       return depth_at(pixel, stamp, T_world_camera);
     };
-    const auto detections =
-        range_detections(detect(image, stamp, T_world_camera), depth, camera);
+    const auto detections = range_detections(detect(image, stamp, T_world_camera), depth, camera);
 
     // 2. Features on people are not to be tracked; the wall seen beside them is.
     const DynamicFeatureMask mask(detections, catalog);
@@ -89,9 +91,9 @@ int main() {
 
     // 3. The key frame's objects join those of the last seconds.
     KeyframeSighting seen = sight_keyframe(stamp, detections, camera, catalog);
-    const Eigen::Isometry3d T_previous_current =
-        T_world_previous ? T_world_previous->inverse() * T_world_camera
-                         : Eigen::Isometry3d::Identity();
+    const Eigen::Isometry3d T_previous_current = T_world_previous
+                                                     ? T_world_previous->inverse() * T_world_camera
+                                                     : Eigen::Isometry3d::Identity();
     window.add(stamp, seen.nodes, T_previous_current, seen.view);
     T_world_previous = T_world_camera;
 
@@ -102,8 +104,7 @@ int main() {
     ++found;
     const double back = 0.02 * static_cast<double>(value(loop.accepted->id));
     const Eigen::Vector3d expected(along - back, 0.0, -0.5 * (along - back));
-    const double error =
-        (loop.accepted->pose->T_candidate_query.translation() - expected).norm();
+    const double error = (loop.accepted->pose->T_candidate_query.translation() - expected).norm();
     std::cout << "image " << image << ": loop to " << value(loop.accepted->id) << ", off by "
               << error << " m\n";
     if (error > 0.05) return EXIT_FAILURE;

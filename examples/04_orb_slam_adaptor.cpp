@@ -14,7 +14,8 @@
 
 using namespace topobag;
 
-// ---- The host: ORB-SLAM's names ------------------------------------------------------------------
+// ---- The host: ORB-SLAM's names
+// ------------------------------------------------------------------
 
 namespace host {
 
@@ -47,7 +48,8 @@ struct Map {};
 
 }  // namespace host
 
-// ---- A camera before a desk ----------------------------------------------------------------------
+// ---- A camera before a desk
+// ----------------------------------------------------------------------
 
 const PinholeCamera<> camera{525.0, 525.0, 319.5, 239.5, 640, 480};
 const ClassCatalog catalog = ClassCatalog::coco80();
@@ -59,9 +61,12 @@ std::vector<RangedDetection> detect(double x) {
     double x, y, z;  // m
   };
   std::vector<RangedDetection> found;
-  for (const Thing& thing : {Thing{"tv", 0.0, -0.25, 2.0}, {"keyboard", 0.0, 0.3, 1.6},
-                             {"mouse", 0.45, 0.3, 1.6}, {"cup", -0.6, 0.15, 1.8},
-                             {"book", -0.75, -0.3, 2.1}, {"vase", 0.8, -0.3, 2.2}}) {
+  for (const Thing& thing : {Thing{"tv", 0.0, -0.25, 2.0},
+                             {"keyboard", 0.0, 0.3, 1.6},
+                             {"mouse", 0.45, 0.3, 1.6},
+                             {"cup", -0.6, 0.15, 1.8},
+                             {"book", -0.75, -0.3, 2.1},
+                             {"vase", 0.8, -0.3, 2.2}}) {
     const Eigen::Vector2d center = *camera.project({thing.x - x, thing.y, thing.z});
     const double side = camera.fx * 0.2 / thing.z;
     found.push_back({box_around(center, side, side), catalog.at(thing.name), 0.9, thing.z});
@@ -83,8 +88,7 @@ int main() {
     double stamp, x;
   };
   TopologyThread<Job> thread([&](const Job& job) {
-    database.observe(job.epoch, job.id,
-                     sight_keyframe(job.stamp, detect(job.x), camera, catalog));
+    database.observe(job.epoch, job.id, sight_keyframe(job.stamp, detect(job.x), camera, catalog));
   });
 
   // Tracking makes key frames and hands them over; loop closing asks, then adds.

@@ -43,6 +43,7 @@ struct Arguments {
   double kidnap_window = 0.0;
   double window = 3.0;
   std::size_t max_places = 5;
+  std::size_t candidates = 0;
   std::string out = ".";
   bool stock = false;
   bool no_wait = false;
@@ -132,8 +133,8 @@ Detect make_detect(const Arguments& arguments, const Calibration& calibration) {
       return topobag::undistorted(found->second, calibration.matrix, calibration.distortion);
     };
   }
-  auto network = std::make_shared<topobag::YoloDetector>(
-      arguments.model, topobag::ClassCatalog::coco80().ids());
+  auto network = std::make_shared<topobag::YoloDetector>(arguments.model,
+                                                         topobag::ClassCatalog::coco80().ids());
   return [network, calibration](const Images& images) {
     return topobag::undistorted(
         topobag::range_detections((*network)(images.rgb),
@@ -179,6 +180,9 @@ class Run {
     settings.camera = calibration_.camera;
     settings.database.fusing.window = arguments.window;
     settings.database.max_relocalizations = arguments.max_places;
+    if (arguments.candidates > 0) {
+      settings.database.recognition.max_candidates = arguments.candidates;
+    }
     settings.lost_window = arguments.kidnap_window;
     semantic_ = std::make_unique<SemanticSlam>(
         settings, topobag::ClassCatalog::coco80(), make_detect(arguments, calibration_),
@@ -258,8 +262,8 @@ class Run {
               << " of them not within 0.3 m and 15 degrees\n";
     if (const auto m = topobag::translation_statistics(errors)) {
       const auto degrees = topobag::rotation_statistics(errors);
-      std::cout << "error: median " << m->median << " m, " << degrees->median << " degrees; largest "
-                << m->max << " m, " << degrees->max << " degrees\n";
+      std::cout << "error: median " << m->median << " m, " << degrees->median
+                << " degrees; largest " << m->max << " m, " << degrees->max << " degrees\n";
     }
     print_times("kidnapped: whole frame", ms);
     if (!semantic_) return;
@@ -270,8 +274,9 @@ class Run {
       with_guess += offered[i].verified == 0 && offered[i].guesses > 0 ? 1 : 0;
       by_place += offered[i].accepted >= 0 ? 1 : 0;
     }
-    std::cout << "frames with a verified place: " << with_verified << ", with guesses alone: "
-              << with_guess << ", re-localized from a place: " << by_place << '\n';
+    std::cout << "frames with a verified place: " << with_verified
+              << ", with guesses alone: " << with_guess
+              << ", re-localized from a place: " << by_place << '\n';
     for (const auto& [name, times] : semantic_->times()) {
       if (name.rfind("tracking, lost", 0) == 0) print_times(name, times);
     }
@@ -288,8 +293,8 @@ class Run {
   void report_map(const topobag::Trajectory& truth) {
     const auto counts = semantic_->counts();
     std::cout << "key frames: " << counts.pushed << " made, " << counts.processed
-              << " through the topology thread, " << counts.failed << " failed, "
-              << counts.given_up << " given up, " << semantic_->size() << " in the bag\n";
+              << " through the topology thread, " << counts.failed << " failed, " << counts.given_up
+              << " given up, " << semantic_->size() << " in the bag\n";
     std::ofstream file(arguments_.out + "/loops.csv");
     file << "query_stamp,candidate_stamp,error_m,error_deg\n" << std::setprecision(17);
     const auto offered = semantic_->offered_loops();
@@ -337,6 +342,7 @@ int main(int argc, char** argv) {
   app.add_flag("--no-wait", arguments.no_wait, "As fast as it goes, not at the camera's pace");
   app.add_option("--window", arguments.window, "Seconds of key frames in one graph");
   app.add_option("--places", arguments.max_places, "Places offered to a lost tracker");
+  app.add_option("--candidates", arguments.candidates, "Key frames whose graphs are matched [8]");
   app.add_option("--out", arguments.out, "Folder for trajectories, loops, re-localizations");
   app.add_option("--kidnap", arguments.kidnap_sequence, "Then shows frames of this sequence alone");
   app.add_option("--kidnap-associations", arguments.kidnap_associations, "Its pairs of images");

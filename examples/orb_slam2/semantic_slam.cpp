@@ -28,7 +28,8 @@ void SemanticSlam::Images(const cv::Mat& rgb, const cv::Mat& depth, double stamp
 void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
   const Stopwatch watch;
   // The caller may use its images again; the job outlives them.
-  thread_.push({database_.epoch(), key_frame->mnId,
+  thread_.push({database_.epoch(),
+                key_frame->mnId,
                 {current_.rgb.clone(), current_.depth.clone(), current_.stamp}});
   note("tracking: hand a key frame over", watch.milliseconds());
 }
@@ -62,9 +63,10 @@ void SemanticSlam::LoopCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& c
 
 void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates) {
   const Stopwatch watch;
+  graph_ms_ = 0.0;
   places_ = database_.relocalization_places(*frame);
   candidates = topobag::merge_candidates(places_, candidates);
-  note("tracking, lost: detect and query", watch.milliseconds());
+  if (graph_ms_ > 0.0) note("tracking, lost: query", watch.milliseconds() - graph_ms_);
   OfferedPlaces offered;
   offered.stamp = frame->mTimeStamp;
   for (const auto& place : places_) ++(place.verified ? offered.verified : offered.guesses);
@@ -102,8 +104,9 @@ std::map<std::string, std::vector<double>> SemanticSlam::times() const {
 /// frame without features.
 std::optional<topobag::TopologyGraph<>> SemanticSlam::graph_of_lost(const Frame& frame) {
   if (frame.mTimeStamp != current_.stamp || frame.N == 0) return std::nullopt;
-  auto sighting = std::make_shared<const topobag::KeyframeSighting>(
-      sight(current_, "tracking, lost: detect"));
+  const Stopwatch all;
+  auto sighting =
+      std::make_shared<const topobag::KeyframeSighting>(sight(current_, "tracking, lost: detect"));
   const Stopwatch watch;
   const auto pose = odometry_ ? odometry_(frame.mTimeStamp) : std::nullopt;
   if (!pose || settings_.lost_window == 0.0) lost_.clear();
@@ -114,6 +117,7 @@ std::optional<topobag::TopologyGraph<>> SemanticSlam::graph_of_lost(const Frame&
   fusing.window = settings_.lost_window;
   auto graph = topobag::fuse_sightings({lost_.begin(), lost_.end()}, fusing);
   note("tracking, lost: fuse", watch.milliseconds());
+  graph_ms_ = all.milliseconds();
   return graph;
 }
 

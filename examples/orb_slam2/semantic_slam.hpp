@@ -113,6 +113,7 @@ class SemanticSlam final
   semantic::Images current_;
   std::deque<topobag::PosedSighting> lost_;
   std::vector<topobag::OrbSlamPlace<KeyFrame>> places_;
+  double graph_ms_ = 0.0;  ///< what the last lost frame's graph took; 0 = it has none
 
   mutable std::mutex mutex_;  ///< of what follows
   std::map<std::string, std::vector<double>> times_;

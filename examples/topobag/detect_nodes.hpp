@@ -19,7 +19,8 @@ namespace program {
 /// @param camera       gets the size of the images where it has none; else they have to agree
 /// Throws InputError, also where the program was built without OpenCV.
 NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& model,
-                       const std::vector<topobag::ClassId>& classes, const topobag::YoloOptions& options,
-                       double depth_scale, topobag::PinholeCamera<>& camera);
+                       const std::vector<topobag::ClassId>& classes,
+                       const topobag::YoloOptions& options, double depth_scale,
+                       topobag::PinholeCamera<>& camera);
 
 }  // namespace program

@@ -72,9 +72,9 @@ void make_nodes(const NodesOptions& options) {
     throw InputError("--out " + options.out, "the folder does not exist; make it first");
   }
   topobag::PinholeCamera<> camera = options.camera;
-  const NodeTable table = detect_nodes(read_tum_sequence(options.images), options.model,
-                                       read_classes(options.names, catalog), options.yolo,
-                                       options.depth_scale, camera);
+  const NodeTable table =
+      detect_nodes(read_tum_sequence(options.images), options.model,
+                   read_classes(options.names, catalog), options.yolo, options.depth_scale, camera);
   write_node_table(options.out, table, catalog);
   std::cout << summary(options.out, table, camera, catalog);
 }

@@ -69,8 +69,8 @@ TEST_CASE("a network of another shape is refused", "[adaptors]") {
 TEST_CASE("YOLOv5 rows and YOLOv8 columns give the same boxes", "[adaptors]") {
   // cx, cy, w, h, objectness, scores; the second is too weak, the third is not a number.
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<float> rows{20, 10, 8, 4, 1, 0.2F, 0.5F, 5,   5, 2, 2,
-                                1,  0,  0.05F, 30, nan, 8, 4, 1, 0.9F, 0};
+  const std::vector<float> rows{20, 10, 8,     4,  1,   0.2F, 0.5F, 5, 5,    2, 2,
+                                1,  0,  0.05F, 30, nan, 8,    4,    1, 0.9F, 0};
   const auto five = decode_yolov5({rows.data(), 3, columns}, classes, 0.1);
   std::vector<float> turned;
   for (const std::size_t column : {0U, 1U, 2U, 3U, 5U, 6U}) {

@@ -33,8 +33,8 @@ TEST_CASE("features on a person are masked, the background beside them is kept",
 TEST_CASE("without depth the whole box is masked", "[sensing]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const DynamicFeatureMask mask({person}, catalog);
-  for (const std::optional<double> z : {std::optional<double>(), std::optional<double>(0.0),
-                                        std::optional<double>(nan)}) {
+  for (const std::optional<double> z :
+       {std::optional<double>(), std::optional<double>(0.0), std::optional<double>(nan)}) {
     CHECK(mask({150.0, 200.0}, z));
     CHECK_FALSE(mask({250.0, 200.0}, z));
   }
@@ -58,8 +58,8 @@ TEST_CASE("unsure and broken boxes mask nothing, wrong options and classes are t
   broken.box.x1 = nan;
   scoreless.confidence = nan;
   CHECK(DynamicFeatureMask({unsure, broken, scoreless}, catalog).empty());
-  CHECK_THROWS_AS(
-      DynamicFeatureMask({person, {person.box, ClassId{999}, 0.9, 1.0}}, catalog), UnknownClass);
+  CHECK_THROWS_AS(DynamicFeatureMask({person, {person.box, ClassId{999}, 0.9, 1.0}}, catalog),
+                  UnknownClass);
   DynamicFeatureOptions options;
   options.reach = nan;
   CHECK_THROWS_AS(DynamicFeatureMask({person}, catalog, options), InvalidValue);

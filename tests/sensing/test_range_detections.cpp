@@ -36,8 +36,8 @@ TEST_CASE("every detection gets the depth in its box, clipped to the image", "[s
 TEST_CASE("a depth that is no distance counts as none", "[sensing]") {
   const PinholeCamera<> camera{100.0, 100.0, 50.0, 50.0, 0, 0};
   const std::vector<Detection> detections{{{10.0, 10.0, 20.0, 20.0}, ClassId{1}, 0.5}};
-  for (const double z : {-1.0, std::numeric_limits<double>::quiet_NaN(),
-                         std::numeric_limits<double>::infinity()}) {
+  for (const double z :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     const auto depth = [&](const Eigen::Vector2d&) { return std::optional<double>(z); };
     CHECK(range_detections(detections, depth, camera, CenterDepth{})[0].z == 0.0);
   }

@@ -10,6 +10,7 @@
 #include "MapPoint.h"
 #include "ORBmatcher.h"
 #include "Optimizer.h"
+#include "PnPsolver.h"
 #include "SemanticHooks.h"
 
 namespace topobag_hooks {
@@ -42,12 +43,26 @@ inline int OptimizePose(ORB_SLAM2::Frame& frame) {
   return good;
 }
 
+/// Sets the pose that RANSAC finds among the frame's matches and keeps its inliers; where it finds
+/// none, pose and matches stay.
+inline void ApplyRansac(ORB_SLAM2::Frame& frame) {
+  ORB_SLAM2::PnPsolver solver(frame, frame.mvpMapPoints);
+  solver.SetRansacParameters(0.99, 10, 300, 4, 0.2f, 5.991f);
+  std::vector<bool> inliers;
+  bool finished = false;
+  int count = 0;
+  const cv::Mat Tcw = solver.iterate(300, finished, inliers, count);
+  if (Tcw.empty()) return;
+  frame.SetPose(Tcw);
+  for (std::size_t i = 0; i < inliers.size(); ++i) {
+    if (!inliers[i]) frame.mvpMapPoints[i] = nullptr;
+  }
+}
+
 /// Whether the place is the frame's: its map points are projected with the object pose, in windows
 /// that narrow while the pose gets better, and 50 have to stay inliers, as the host asks elsewhere.
 inline bool StandsAt(const Place<ORB_SLAM2::KeyFrame>& place, ORB_SLAM2::Frame& frame) {
-  const int enough = 50;
-  std::vector<ORB_SLAM2::KeyFrame*> key_frames =
-      place.key_frame->GetBestCovisibilityKeyFrames(10);
+  std::vector<ORB_SLAM2::KeyFrame*> key_frames = place.key_frame->GetBestCovisibilityKeyFrames(10);
   key_frames.insert(key_frames.begin(), place.key_frame);
   frame.SetPose(cv::Mat(4, 4, CV_32F, const_cast<float*>(place.Tcw.data())));
   struct Search {
@@ -55,13 +70,15 @@ inline bool StandsAt(const Place<ORB_SLAM2::KeyFrame>& place, ORB_SLAM2::Frame& 
     int distance;  // bits
     int least;     // inliers to go on with
   };
-  for (const Search& search : {Search{30.0f, 64, 15}, Search{10.0f, 80, 25}, Search{3.0f, 100, enough}}) {
+  const Search searches[] = {{40.0f, 64, 10}, {12.0f, 80, 20}, {4.0f, 100, 50}};
+  for (const Search& search : searches) {
     frame.mvpMapPoints.assign(static_cast<std::size_t>(frame.N), nullptr);
     frame.mvbOutlier.assign(static_cast<std::size_t>(frame.N), false);
-    if (MatchByProjection(frame, key_frames, search.window, search.distance) < search.least ||
-        OptimizePose(frame) < search.least) {
+    if (MatchByProjection(frame, key_frames, search.window, search.distance) < search.least) {
       return false;
     }
+    if (&search == searches) ApplyRansac(frame);
+    if (OptimizePose(frame) < search.least) return false;
   }
   return true;
 }

@@ -13,7 +13,7 @@ namespace topobag_hooks {
 /// Where a lost camera may be.
 template <typename KeyFrame>
 struct Place {
-  KeyFrame* key_frame;      ///< that shows the same objects
+  KeyFrame* key_frame;        ///< that shows the same objects
   std::array<float, 16> Tcw;  ///< world to camera, row by row
 };
 

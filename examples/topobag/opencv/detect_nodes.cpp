@@ -49,8 +49,9 @@ void require_size(const cv::Mat& image, const std::string& path, topobag::Pinhol
 }  // namespace
 
 NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& model,
-                       const std::vector<topobag::ClassId>& classes, const topobag::YoloOptions& options,
-                       double depth_scale, topobag::PinholeCamera<>& camera) {
+                       const std::vector<topobag::ClassId>& classes,
+                       const topobag::YoloOptions& options, double depth_scale,
+                       topobag::PinholeCamera<>& camera) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are ours to tell
   topobag::YoloDetector detect(model, classes, options);
   Progress progress(frames.size(), "images");
@@ -64,8 +65,8 @@ NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& 
     row.name = std::filesystem::path(frame.rgb).filename().string();
     row.timestamp = frame.timestamp;
     row.T_world_camera = frame.T_world_camera;
-    row.detections = topobag::range_detections(
-        detect(rgb), topobag::DepthImage(depth, depth_scale), camera);
+    row.detections =
+        topobag::range_detections(detect(rgb), topobag::DepthImage(depth, depth_scale), camera);
     table.frames.push_back(std::move(row));
     progress.step();
   }

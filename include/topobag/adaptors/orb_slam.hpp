@@ -20,12 +20,19 @@ inline namespace v0 {
 
 struct OrbSlamOptions {
   LocalGraphOptions fusing{};  ///< key frames of `window` s make one graph; 0 = single ones
-  RecognitionOptions recognition{};
+  RecognitionOptions recognition = few_candidates(8);
   std::size_t max_loops = 5;            ///< verified places offered for a loop
   std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
   double min_loop_gap = 0.0;  ///< s between the key frames of a loop; beside the host's rule that
                               ///< covisible ones make none
   std::chrono::milliseconds loop_wait{200};  ///< a loop query waits this long for its sighting
+
+  /// The defaults, but fewer key frames are matched: tracking waits for the answer.
+  static RecognitionOptions few_candidates(std::size_t count) {
+    RecognitionOptions options;
+    options.max_candidates = count;
+    return options;
+  }
 };
 
 /// The bag of topology graphs beside ORB-SLAM's `KeyFrameDatabase`: under the host's names and
@@ -72,7 +79,8 @@ class OrbSlamDatabase {
     guarded([&] { return bag_.refresh(), true; });
   }
 
-  // ---- As the host's KeyFrameDatabase ------------------------------------------------------------
+  // ---- As the host's KeyFrameDatabase
+  // ------------------------------------------------------------
 
   void add(KeyFrame* key_frame) {
     guarded([&] { return bag_.add(*key_frame), true; });
@@ -119,7 +127,8 @@ class OrbSlamDatabase {
     return merge_candidates(relocalization_places(*frame, map), of_the_host);
   }
 
-  // ---- The same with poses -----------------------------------------------------------------------
+  // ---- The same with poses
+  // -----------------------------------------------------------------------
 
   /// Verified earlier places of a key frame, best first: none that is covisible with it. The host
   /// keeps `key_frame` alive meanwhile.
@@ -150,7 +159,8 @@ class OrbSlamDatabase {
     });
   }
 
-  // ---- Counts ------------------------------------------------------------------------------------
+  // ---- Counts
+  // ------------------------------------------------------------------------------------
 
   /// Key frames that can be found.
   std::size_t size() const { return bag_.size(); }

@@ -15,7 +15,7 @@ inline namespace v0 {
 
 /// How a YOLO network writes its detections down.
 enum class YoloHead {
-  yolox,   ///< cells × (cx, cy, w, h, objectness, scores …) relative to grids of stride 8, 16, 32
+  yolox,  ///< cells × (cx, cy, w, h, objectness, scores …) relative to grids of stride 8, 16, 32
   yolov5,  ///< boxes × (cx, cy, w, h, objectness, scores …) in px (YOLOv5, v7)
   yolov8,  ///< (cx, cy, w, h, scores …) × boxes in px, no objectness (YOLOv8, 9, 11)
 };
@@ -83,12 +83,11 @@ inline std::vector<Detection> decode_yolox(const NetworkOutput& output,
       const float* const best = std::max_element(scores, scores + classes.size());
       const Eigen::Vector2d grid(static_cast<double>(cell % side),
                                  static_cast<double>(cell / side));
-      detail::append_detection((Eigen::Vector2d(row[0], row[1]) + grid) * s,
-                               std::exp(static_cast<double>(row[2])) * s,
-                               std::exp(static_cast<double>(row[3])) * s,
-                               classes[static_cast<std::size_t>(best - scores)],
-                               static_cast<double>(row[4]) * static_cast<double>(*best),
-                               min_confidence, detections);
+      detail::append_detection(
+          (Eigen::Vector2d(row[0], row[1]) + grid) * s, std::exp(static_cast<double>(row[2])) * s,
+          std::exp(static_cast<double>(row[3])) * s,
+          classes[static_cast<std::size_t>(best - scores)],
+          static_cast<double>(row[4]) * static_cast<double>(*best), min_confidence, detections);
     }
   }
   return detections;
@@ -105,11 +104,10 @@ inline std::vector<Detection> decode_yolov5(const NetworkOutput& output,
     const float* const row = output.data + i * output.columns;
     const float* const scores = row + 5;
     const float* const best = std::max_element(scores, scores + classes.size());
-    detail::append_detection({row[0], row[1]}, static_cast<double>(row[2]),
-                             static_cast<double>(row[3]),
-                             classes[static_cast<std::size_t>(best - scores)],
-                             static_cast<double>(row[4]) * static_cast<double>(*best),
-                             min_confidence, detections);
+    detail::append_detection(
+        {row[0], row[1]}, static_cast<double>(row[2]), static_cast<double>(row[3]),
+        classes[static_cast<std::size_t>(best - scores)],
+        static_cast<double>(row[4]) * static_cast<double>(*best), min_confidence, detections);
   }
   return detections;
 }

@@ -19,8 +19,8 @@ inline namespace v0 {
 
 /// What one key frame shows: its nodes, and the view with all that may hide an object from it.
 struct KeyframeSighting {
-  double stamp = 0.0;                  ///< s
-  std::vector<SemanticNode<>> nodes;   ///< in the key frame's camera frame
+  double stamp = 0.0;                 ///< s
+  std::vector<SemanticNode<>> nodes;  ///< in the key frame's camera frame
   View<> view;
 };
 

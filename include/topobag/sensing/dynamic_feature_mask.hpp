@@ -18,8 +18,8 @@ inline namespace v0 {
 struct DynamicFeatureOptions {
   DynamicsSet levels{Dynamics::high};  ///< whose features are not to be trusted
   double min_confidence = 0.3;         ///< detector's score below which a box masks nothing
-  double reach = 0.5;     ///< m before and behind the box's depth that belong to the object
-  double margin = 3.0;    ///< px by which boxes are widened
+  double reach = 0.5;   ///< m before and behind the box's depth that belong to the object
+  double margin = 3.0;  ///< px by which boxes are widened
 
   /// The paper's own sentence (3.1): features "in the highly dynamic region and low dynamic region"
   /// are outliers, wherever in the box they lie. It masks desks and monitors too, of which the

@@ -29,7 +29,9 @@ struct KeyFrame {
 
   bool isBad() const { return bad; }
   Map* GetMap() const { return map; }
-  Eigen::Isometry3f GetPoseInverse() const { return Eigen::Isometry3f(T_world_camera.cast<float>()); }
+  Eigen::Isometry3f GetPoseInverse() const {
+    return Eigen::Isometry3f(T_world_camera.cast<float>());
+  }
   std::set<KeyFrame*> GetConnectedKeyFrames() const { return {}; }
 };
 

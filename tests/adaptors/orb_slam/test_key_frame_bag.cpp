@@ -73,8 +73,8 @@ TEST_CASE("a refresh makes the graphs anew with the poses of now", "[adaptors]")
   KeyFrameBag<small_host::KeyFrame> bag({}, {});
   const Eigen::Isometry3d truth = host_pose(second.GetPoseInverse());
   for (small_host::KeyFrame* key_frame : {&first, &second}) {
-    auto seen = small_host::sighting(room, key_frame->mTimeStamp,
-                                     host_pose(key_frame->GetPoseInverse()));
+    auto seen =
+        small_host::sighting(room, key_frame->mTimeStamp, host_pose(key_frame->GetPoseInverse()));
     // Each sees half the room.
     const auto middle = seen.nodes.begin() + 5;
     seen.nodes = key_frame == &first ? decltype(seen.nodes)(seen.nodes.begin(), middle)

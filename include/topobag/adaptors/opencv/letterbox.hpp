@@ -39,9 +39,8 @@ class Letterbox {
   BoundingBox in_image(const BoundingBox& box) const noexcept {
     const double x_scale = static_cast<double>(image_size_.width) / size_.width;
     const double y_scale = static_cast<double>(image_size_.height) / size_.height;
-    return BoundingBox{
-        (box.x1 - offset_.x) * x_scale - 0.5, (box.y1 - offset_.y) * y_scale - 0.5,
-        (box.x2 - offset_.x) * x_scale - 0.5, (box.y2 - offset_.y) * y_scale - 0.5}
+    return BoundingBox{(box.x1 - offset_.x) * x_scale - 0.5, (box.y1 - offset_.y) * y_scale - 0.5,
+                       (box.x2 - offset_.x) * x_scale - 0.5, (box.y2 - offset_.y) * y_scale - 0.5}
         .clipped(image_size_.width, image_size_.height);
   }
 

@@ -30,8 +30,7 @@ inline std::vector<RangedDetection> undistorted(std::vector<RangedDetection> det
   for (RangedDetection& detection : detections) {
     if (!detection.box.is_valid()) continue;
     const cv::Point2d center = *next++;
-    detection.box =
-        box_around({center.x, center.y}, detection.box.width(), detection.box.height());
+    detection.box = box_around({center.x, center.y}, detection.box.width(), detection.box.height());
   }
   return detections;
 }

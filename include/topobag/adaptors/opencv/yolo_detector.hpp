@@ -41,9 +41,8 @@ class YoloDetector {
   /// options do not fit.
   std::vector<Detection> operator()(const cv::Mat& image) {
     const bool yolox = options_.head == YoloHead::yolox;
-    const Letterbox letterbox(
-        image, options_.input_size,
-        yolox ? Letterbox::Place::upper_left : Letterbox::Place::center);
+    const Letterbox letterbox(image, options_.input_size,
+                              yolox ? Letterbox::Place::upper_left : Letterbox::Place::center);
     cv::Mat output;
     try {
       // YOLOX takes BGR, 0 to 255, the others RGB, 0 to 1.

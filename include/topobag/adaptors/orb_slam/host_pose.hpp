@@ -18,8 +18,7 @@ using PlainPose = std::array<float, 16>;
 
 inline PlainPose plain_pose(const Eigen::Isometry3d& T) {
   PlainPose plain{};
-  Eigen::Map<Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(plain.data()) =
-      T.matrix().cast<float>();
+  Eigen::Map<Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(plain.data()) = T.matrix().cast<float>();
   return plain;
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -25,10 +26,10 @@ inline namespace v0 {
 
 /// A bag whose entries are key frames of a host that moves, culls and deletes them meanwhile.
 ///
-/// Any function may be called from any thread. The one lock is a leaf: nothing of the host is called
-/// with it held. `erase` and `clear` wait for whoever reads a key frame at that time, so that the
-/// host may delete it afterwards; they must not be called with a lock of the host held that
-/// `isBad`, `GetPoseInverse` or `GetMap` take.
+/// Any function may be called from any thread. The one lock is a leaf: nothing of the host is
+/// called with it held. `erase` and `clear` wait for whoever reads a key frame at that time, so
+/// that the host may delete it afterwards; they must not be called with a lock of the host held
+/// that `isBad`, `GetPoseInverse` or `GetMap` take.
 template <typename KeyFrame>
 class KeyFrameBag {
  public:
@@ -150,10 +151,7 @@ class KeyFrameBag {
     for (const auto& [report, key_frame] : found) {
       if (!is_bad(*key_frame)) append(*report, *key_frame, map, places);
     }
-    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
-      return a.verified != b.verified ? a.verified : a.score > b.score;
-    });
-    return places;
+    return best_first(places);
   }
 
  private:
@@ -169,9 +167,21 @@ class KeyFrameBag {
                         T_world_candidate * pose.T_candidate_query, pose.score(), verified,
                         other_map});
     };
-    offer(*report.pose,
-          report.verdict == Verdict::accepted || report.verdict == Verdict::outdone);
+    offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::outdone);
     for (const RelativePose& other : report.other_poses) offer(other, false);
+  }
+
+  static Places best_first(const Places& places) {
+    std::vector<std::size_t> order(places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // By index: libstdc++'s stable_sort keeps places in a buffer that is not aligned for AVX.
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      const auto &l = places[a], &r = places[b];
+      return l.verified != r.verified ? l.verified : l.score > r.score;
+    });
+    Places sorted;
+    for (const std::size_t i : order) sorted.push_back(places[i]);
+    return sorted;
   }
 
   void forget(std::uint64_t id) {

@@ -21,8 +21,8 @@ struct SightedKeyFrame {
   KeyFrame* key_frame = nullptr;
 };
 
-/// Which key frames the host has, by `mnId`, and what was seen in them. Pointer and sighting come in
-/// any order; a key frame that is culled before either came stays culled. Not synchronised.
+/// Which key frames the host has, by `mnId`, and what was seen in them. Pointer and sighting come
+/// in any order; a key frame that is culled before either came stays culled. Not synchronised.
 template <typename KeyFrame>
 class KeyFrameRegister {
  public:

@@ -18,9 +18,9 @@ struct OrbSlamPlace {
   Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
   /// The candidate's pose at the time of the query, carried on.
   Eigen::Isometry3d T_world_query = Eigen::Isometry3d::Identity();
-  double score = 0.0;     ///< `RelativePose::score()`
-  bool verified = false;  ///< passed every stage of the decision, or was only outdone; otherwise a
-                          ///< guess that the host has to test
+  double score = 0.0;      ///< `RelativePose::score()`
+  bool verified = false;   ///< passed every stage of the decision, or was only outdone; otherwise a
+                           ///< guess that the host has to test
   bool other_map = false;  ///< in another map than was asked for (hosts with several)
 
   /// The host's `mTcw` for the query: world to camera.
