@@ -9,6 +9,7 @@
 
 #include <topobag/sensing/lift_detections.hpp>
 
+#include "box_files.hpp"
 #include "camera_option.hpp"
 #include "commands.hpp"
 #include "csv_reader.hpp"
@@ -21,6 +22,7 @@ namespace {
 struct NodesOptions {
   std::string images;
   std::string model;
+  std::string boxes;
   std::string names;
   std::string out;
   topobag::PinholeCamera<> camera;
@@ -72,9 +74,16 @@ void make_nodes(const NodesOptions& options) {
     throw InputError("--out " + options.out, "the folder does not exist; make it first");
   }
   topobag::PinholeCamera<> camera = options.camera;
+  DetectionSource source{options.model, options.yolo, read_classes(options.names, catalog), {}};
+  if (!options.boxes.empty()) {
+    if (std::filesystem::is_directory(options.boxes) && camera.width == 0) {
+      throw InputError("--boxes " + options.boxes,
+                       "YOLO files need the image size: give --camera fx,fy,cx,cy,width,height");
+    }
+    source.boxes = read_boxes(options.boxes, source.classes, catalog, camera.width, camera.height);
+  }
   const NodeTable table =
-      detect_nodes(read_tum_sequence(options.images), options.model,
-                   read_classes(options.names, catalog), options.yolo, options.depth_scale, camera);
+      detect_nodes(read_tum_sequence(options.images), source, options.depth_scale, camera);
   write_node_table(options.out, table, catalog);
   std::cout << summary(options.out, table, camera, catalog);
 }
@@ -86,7 +95,11 @@ void add_nodes_command(CLI::App& app) {
       "nodes", "Turns RGB-D images into a node table: what a detector sees in them, and how far");
   const auto options = std::make_shared<NodesOptions>();
   command.add_option("--images", options->images, "Sequence in the TUM RGB-D layout")->required();
-  command.add_option("--model", options->model, "YOLO network, ONNX")->required();
+  CLI::Option_group& detector = *command.add_option_group("detector");
+  detector.add_option("--model", options->model, "YOLO network, ONNX");
+  detector.add_option("--boxes", options->boxes,
+                      "Boxes of another detector: a folder of YOLO text files, or COCO's JSON");
+  detector.require_option(1);
   command.add_option("--names", options->names, "Classes of the network, one a line [COCO's 80]");
   command.add_option("--out", options->out, "Table to write: OUT.frames.csv and OUT.nodes.csv")
       ->required();

@@ -12,13 +12,19 @@
 #include <topobag/types/dynamics.hpp>
 #include <topobag/types/ids.hpp>
 #include <topobag/types/position_traits.hpp>
+#include <topobag/types/ranged_detection.hpp>
 #include <topobag/types/semantic_node.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
 #include <topobag/sensing/depth_view.hpp>
+#include <topobag/sensing/disparity_depth.hpp>
+#include <topobag/sensing/dynamic_feature_mask.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 #include <topobag/sensing/node_noise.hpp>
+#include <topobag/sensing/non_maximum_suppression.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
+#include <topobag/sensing/range_detections.hpp>
 #include <topobag/sensing/same_object.hpp>
+#include <topobag/sensing/sparse_depth.hpp>
 #include <topobag/edges/complete_edges.hpp>
 #include <topobag/edges/edge_list.hpp>
 #include <topobag/edges/hints.hpp>
@@ -28,6 +34,7 @@
 #include <topobag/edges/projections.hpp>
 #include <topobag/edges/radius_edges.hpp>
 #include <topobag/graph/correlation_matrix.hpp>
+#include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/graph/object_track.hpp>
 #include <topobag/graph/topology_graph.hpp>

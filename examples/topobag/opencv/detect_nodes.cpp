@@ -2,6 +2,7 @@
 #include "detect_nodes.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -48,12 +49,16 @@ void require_size(const cv::Mat& image, const std::string& path, topobag::Pinhol
 
 }  // namespace
 
-NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& model,
-                       const std::vector<topobag::ClassId>& classes,
-                       const topobag::YoloOptions& options, double depth_scale,
-                       topobag::PinholeCamera<>& camera) {
+NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSource& source,
+                       double depth_scale, topobag::PinholeCamera<>& camera) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are ours to tell
-  topobag::YoloDetector detect(model, classes, options);
+  std::optional<topobag::YoloDetector> network;
+  if (!source.boxes) network.emplace(source.model, source.classes, source.yolo);
+  const auto detect = [&](const RgbdFrame& frame, const cv::Mat& rgb) {
+    if (network) return (*network)(rgb);
+    const auto found = source.boxes->find(std::filesystem::path(frame.rgb).stem().string());
+    return found == source.boxes->end() ? std::vector<topobag::Detection>{} : found->second;
+  };
   Progress progress(frames.size(), "images");
   NodeTable table;
   for (const RgbdFrame& frame : frames) {
@@ -65,8 +70,8 @@ NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& 
     row.name = std::filesystem::path(frame.rgb).filename().string();
     row.timestamp = frame.timestamp;
     row.T_world_camera = frame.T_world_camera;
-    row.detections =
-        topobag::range_detections(detect(rgb), topobag::DepthImage(depth, depth_scale), camera);
+    row.detections = topobag::range_detections(detect(frame, rgb),
+                                               topobag::DepthImage(depth, depth_scale), camera);
     table.frames.push_back(std::move(row));
     progress.step();
   }
