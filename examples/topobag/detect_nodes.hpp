@@ -1,25 +1,33 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <topobag/adaptors/yolo_heads.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
 #include <topobag/types/ids.hpp>
 
+#include "box_files.hpp"
 #include "node_table.hpp"
 #include "rgbd_sequence.hpp"
-#include "yolox.hpp"
 
 namespace program {
 
-/// Runs a YOLOX network over a sequence; depths by topobag::RobustBoxDepth.
-/// @param classes      the class behind each score of the network
+/// Where detections come from: a network, or files that another detector wrote.
+struct DetectionSource {
+  std::string model;                      ///< ONNX file
+  topobag::YoloOptions yolo;              ///< of the network
+  std::vector<topobag::ClassId> classes;  ///< the class behind each score of the network
+  std::optional<BoxesByImage> boxes;      ///< instead of a network
+};
+
+/// Detects the objects in a sequence; depths by topobag::RobustBoxDepth.
 /// @param depth_scale  value / depth_scale = metres
 /// @param camera       gets the size of the images where it has none; else they have to agree
 /// Throws InputError, also where the program was built without OpenCV.
-NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& model,
-                       const std::vector<topobag::ClassId>& classes, const YoloxOptions& options,
+NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSource& source,
                        double depth_scale, topobag::PinholeCamera<>& camera);
 
 }  // namespace program

@@ -33,7 +33,7 @@ topobag::View<> view_of(const FrameRow& frame, const KeyframeOptions& options,
   topobag::View<> view;
   view.camera = options.camera;
   const double max_area = max_image_share * options.camera.width * options.camera.height;
-  for (const TableDetection& detection : frame.detections) {
+  for (const topobag::RangedDetection& detection : frame.detections) {
     if (detection.confidence >= options.min_confidence && detection.box.area() < max_area) {
       view.occluders.push_back({detection.box, detection.z});
     }

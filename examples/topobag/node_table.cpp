@@ -76,8 +76,8 @@ class DetectionRows {
   DetectionRows(const CsvReader& csv, const topobag::ClassCatalog& catalog)
       : csv_(csv), catalog_(catalog) {}
 
-  TableDetection read() const {
-    TableDetection detection;
+  topobag::RangedDetection read() const {
+    topobag::RangedDetection detection;
     detection.label = read_label();
     detection.confidence = csv_.number(conf_);
     if (detection.confidence < 0.0 || detection.confidence > 1.0) {
@@ -174,7 +174,7 @@ void write_node_table(const std::string& set, const NodeTable& table,
            << std::setprecision(5);
     write_pose(frames, frame.T_world_camera);
     frames << '\n';
-    for (const TableDetection& detection : frame.detections) {
+    for (const topobag::RangedDetection& detection : frame.detections) {
       const Eigen::Vector2d center = detection.box.center();
       nodes << frame.idx << ',' << topobag::value(detection.label) << ','
             << catalog.name(detection.label) << ',' << std::setprecision(3) << detection.confidence

@@ -9,17 +9,9 @@
 #include <Eigen/Geometry>
 
 #include <topobag/types/class_catalog.hpp>
-#include <topobag/types/detection.hpp>
+#include <topobag/types/ranged_detection.hpp>
 
 namespace program {
-
-/// A detection that knows its depth: one row of a node table.
-struct TableDetection {
-  topobag::BoundingBox box;  ///< px
-  topobag::ClassId label{};  ///< class, numbered as in the catalog in use
-  double confidence = 1.0;   ///< detector's score in [0, 1]
-  double z = 0.0;            ///< depth, m; 0 = unknown
-};
 
 /// One image of a sequence and what a detector saw in it.
 struct FrameRow {
@@ -27,7 +19,7 @@ struct FrameRow {
   std::string name;                                 ///< image file
   double timestamp = 0.0;                           ///< s
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< true pose, m; absent when not known
-  std::vector<TableDetection> detections;
+  std::vector<topobag::RangedDetection> detections;
 };
 
 /// The frames of one sequence, in the order of time.
@@ -50,14 +42,3 @@ void write_node_table(const std::string& set, const NodeTable& table,
                       const topobag::ClassCatalog& catalog = topobag::ClassCatalog::coco80());
 
 }  // namespace program
-
-/// Lets `topobag::lift_detections(frame.detections, camera, catalog)` read a table's rows.
-template <>
-struct topobag::detection_traits<program::TableDetection> {
-  static const BoundingBox& box(const program::TableDetection& d) { return d.box; }
-  static ClassId label(const program::TableDetection& d) { return d.label; }
-  static double confidence(const program::TableDetection& d) { return d.confidence; }
-  static std::optional<double> depth(const program::TableDetection& d) {
-    return d.z > 0.0 ? std::optional<double>(d.z) : std::nullopt;
-  }
-};

@@ -38,7 +38,6 @@ std::string error_of_frame(const std::string& row) {
 
 }  // namespace
 
-static_assert(topobag::is_ranged_detection_v<TableDetection>);
 
 TEST_CASE("a node table is read to the letter", "[examples]") {
   const NodeTable table = read(

@@ -2,15 +2,15 @@
 #include "detect_nodes.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include <topobag/sensing/depth_sampling.hpp>
-#include <topobag/sensing/depth_view.hpp>
+#include <topobag/adaptors/opencv.hpp>
+#include <topobag/sensing/range_detections.hpp>
 
 #include "input_error.hpp"
-#include "object_detector.hpp"
 #include "progress.hpp"
 
 namespace program {
@@ -49,30 +49,29 @@ void require_size(const cv::Mat& image, const std::string& path, topobag::Pinhol
 
 }  // namespace
 
-NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const std::string& model,
-                       const std::vector<topobag::ClassId>& classes, const YoloxOptions& options,
+NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSource& source,
                        double depth_scale, topobag::PinholeCamera<>& camera) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are ours to tell
-  ObjectDetector detect(model, classes, options);
-  const topobag::RobustBoxDepth depth_in;
+  std::optional<topobag::YoloDetector> network;
+  if (!source.boxes) network.emplace(source.model, source.classes, source.yolo);
+  const auto detect = [&](const RgbdFrame& frame, const cv::Mat& rgb) {
+    if (network) return (*network)(rgb);
+    const auto found = source.boxes->find(std::filesystem::path(frame.rgb).stem().string());
+    return found == source.boxes->end() ? std::vector<topobag::Detection>{} : found->second;
+  };
   Progress progress(frames.size(), "images");
   NodeTable table;
   for (const RgbdFrame& frame : frames) {
     const cv::Mat rgb = read_image(frame.rgb, cv::IMREAD_COLOR);
     require_size(rgb, frame.rgb, camera);
     const cv::Mat depth = read_depth(frame.depth, rgb.size());
-    const topobag::DepthView<std::uint16_t> view(depth.ptr<std::uint16_t>(), depth.cols, depth.rows,
-                                                 depth_scale,
-                                                 static_cast<std::ptrdiff_t>(depth.step1()));
     FrameRow row;
     row.idx = static_cast<std::int64_t>(table.frames.size());
     row.name = std::filesystem::path(frame.rgb).filename().string();
     row.timestamp = frame.timestamp;
     row.T_world_camera = frame.T_world_camera;
-    for (const topobag::Detection& found : detect(rgb)) {
-      row.detections.push_back(
-          {found.box, found.label, found.confidence, depth_in(view, found.box).value_or(0.0)});
-    }
+    row.detections = topobag::range_detections(detect(frame, rgb),
+                                               topobag::DepthImage(depth, depth_scale), camera);
     table.frames.push_back(std::move(row));
     progress.step();
   }

@@ -5,8 +5,7 @@
 
 namespace program {
 
-NodeTable detect_nodes(const std::vector<RgbdFrame>&, const std::string&,
-                       const std::vector<topobag::ClassId>&, const YoloxOptions&, double,
+NodeTable detect_nodes(const std::vector<RgbdFrame>&, const DetectionSource&, double,
                        topobag::PinholeCamera<>&) {
   throw InputError("'nodes' was not built: it needs OpenCV 4.5 or newer; install it, build again");
 }

@@ -26,6 +26,36 @@ struct CenterDepth {
   }
 };
 
+namespace detail {
+
+/// The median of the nearest dense cluster of ascending depths, m; see `RobustBoxDepth`.
+/// Precondition: there is one at least. O(n).
+inline double nearest_cluster(const std::vector<double>& depths, double cluster_width,
+                              double min_cluster_share) {
+  // A window slides over the sorted depths; its count is the density there.
+  const std::size_t n = depths.size();
+  std::vector<std::size_t> window_end(n);
+  std::size_t largest = 0;
+  for (std::size_t begin = 0, end = 0; begin < n; ++begin) {
+    const double limit = depths[begin] + std::max(0.05, cluster_width * depths[begin]);
+    while (end < n && depths[end] <= limit) ++end;
+    window_end[begin] = end;
+    largest = std::max(largest, end - begin);
+  }
+  const double enough = min_cluster_share * static_cast<double>(largest);
+  std::size_t first = 0;
+  while (static_cast<double>(window_end[first] - first) < enough) ++first;
+  // The first window that is dense enough may only touch its cluster: go on to the fullest one
+  // near by.
+  std::size_t best = first;
+  for (std::size_t i = first; i < window_end[first]; ++i) {
+    if (window_end[i] - i > window_end[best] - best) best = i;
+  }
+  return depths[best + (window_end[best] - best) / 2];
+}
+
+}  // namespace detail
+
 /// The median of the nearest dense cluster of depths in the middle of the box.
 ///
 /// Holes are left out; edges and the background behind an object form clusters of their own.
@@ -43,26 +73,7 @@ struct RobustBoxDepth {
     const std::vector<double> depths = samples(depth, box);
     if (depths.empty()) return std::nullopt;
 
-    // A window slides over the sorted depths; its count is the density there.
-    const std::size_t n = depths.size();
-    std::vector<std::size_t> window_end(n);
-    std::size_t largest = 0;
-    for (std::size_t begin = 0, end = 0; begin < n; ++begin) {
-      const double limit = depths[begin] + std::max(0.05, cluster_width * depths[begin]);
-      while (end < n && depths[end] <= limit) ++end;
-      window_end[begin] = end;
-      largest = std::max(largest, end - begin);
-    }
-    const double enough = min_cluster_share * static_cast<double>(largest);
-    std::size_t first = 0;
-    while (static_cast<double>(window_end[first] - first) < enough) ++first;
-    // The first window that is dense enough may only touch its cluster: go on to the fullest one
-    // near by.
-    std::size_t best = first;
-    for (std::size_t i = first; i < window_end[first]; ++i) {
-      if (window_end[i] - i > window_end[best] - best) best = i;
-    }
-    return depths[best + (window_end[best] - best) / 2];
+    return detail::nearest_cluster(depths, cluster_width, min_cluster_share);
   }
 
  private:

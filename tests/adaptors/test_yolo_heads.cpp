@@ -3,14 +3,11 @@
 #include <limits>
 #include <vector>
 
-#include <topobag/error.hpp>
+#include <topobag/adaptors/yolo_heads.hpp>
 
 #include "catch.hpp"
-#include "yolox.hpp"
 
-using namespace program;
-using topobag::ClassId;
-using topobag::Detection;
+using namespace topobag;
 
 namespace {
 
@@ -23,13 +20,13 @@ struct Output {
 
   float* row(std::size_t i) { return numbers.data() + i * columns; }
   std::vector<Detection> decode() const {
-    return decode_yolox({numbers.data(), 21, columns}, classes, {32, 0.1, 0.45});
+    return decode_yolox({numbers.data(), 21, columns}, classes, 32, 0.1);
   }
 };
 
 }  // namespace
 
-TEST_CASE("YOLOX cells of every stride decode to hand-computed boxes", "[examples]") {
+TEST_CASE("YOLOX cells of every stride decode to hand-computed boxes", "[adaptors]") {
   Output output;
   const float first[] = {0.5F, 0.25F, std::log(2.0F), 0.0F, 0.8F, 0.1F, 0.5F};
   std::copy(std::begin(first), std::end(first), output.row(6));  // stride 8, column 2, row 1
@@ -50,7 +47,7 @@ TEST_CASE("YOLOX cells of every stride decode to hand-computed boxes", "[example
   CHECK(found[2].box.width() == Approx(32.0));
 }
 
-TEST_CASE("weak and broken YOLOX cells are left out", "[examples]") {
+TEST_CASE("weak and broken YOLOX cells are left out", "[adaptors]") {
   Output output;
   output.row(0)[4] = 0.3F;
   output.row(0)[5] = 0.3F;  // 0.09
@@ -61,26 +58,33 @@ TEST_CASE("weak and broken YOLOX cells are left out", "[examples]") {
   CHECK(output.decode().empty());
 }
 
-TEST_CASE("a network of another shape is refused", "[examples]") {
+TEST_CASE("a network of another shape is refused", "[adaptors]") {
   const Output output;
-  const YoloxOptions options{32, 0.1, 0.45};
-  CHECK_THROWS_AS(decode_yolox({output.numbers.data(), 20, columns}, classes, options),
-                  topobag::InvalidValue);
-  CHECK_THROWS_AS(decode_yolox({output.numbers.data(), 21, columns}, {ClassId{1}}, options),
-                  topobag::InvalidValue);
+  CHECK_THROWS_AS(decode_yolox({output.numbers.data(), 20, columns}, classes, 32, 0.1),
+                  InvalidValue);
+  CHECK_THROWS_AS(decode_yolox({output.numbers.data(), 21, columns}, {ClassId{1}}, 32, 0.1),
+                  InvalidValue);
 }
 
-TEST_CASE("non-maximum suppression stays within a class", "[examples]") {
-  const topobag::BoundingBox box{0.0, 0.0, 10.0, 10.0};
-  const topobag::BoundingBox shifted{2.0, 0.0, 12.0, 10.0};  // IoU 2/3
-  const topobag::BoundingBox beside{8.0, 0.0, 18.0, 10.0};   // IoU 1/9
-  const std::vector<Detection> kept = suppress_non_maxima({{shifted, ClassId{1}, 0.5},
-                                                           {beside, ClassId{1}, 0.4},
-                                                           {box, ClassId{1}, 0.9},
-                                                           {shifted, ClassId{2}, 0.3}},
-                                                          0.45);
-  REQUIRE(kept.size() == 3);
-  CHECK(kept[0].confidence == 0.9);
-  CHECK(kept[1].confidence == 0.4);
-  CHECK(kept[2].label == ClassId{2});
+TEST_CASE("YOLOv5 rows and YOLOv8 columns give the same boxes", "[adaptors]") {
+  // cx, cy, w, h, objectness, scores; the second is too weak, the third is not a number.
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<float> rows{20, 10, 8,     4,  1,   0.2F, 0.5F, 5, 5,    2, 2,
+                                1,  0,  0.05F, 30, nan, 8,    4,    1, 0.9F, 0};
+  const auto five = decode_yolov5({rows.data(), 3, columns}, classes, 0.1);
+  std::vector<float> turned;
+  for (const std::size_t column : {0U, 1U, 2U, 3U, 5U, 6U}) {
+    for (std::size_t row = 0; row < 3; ++row) turned.push_back(rows[row * columns + column]);
+  }
+  const auto eight = decode_yolov8({turned.data(), 6, 3}, classes, 0.1);
+  for (const auto& found : {five, eight}) {
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].box.center() == Eigen::Vector2d(20.0, 10.0));
+    CHECK(found[0].box.width() == 8.0);
+    CHECK(found[0].box.height() == 4.0);
+    CHECK(found[0].label == ClassId{9});
+    CHECK(found[0].confidence == Approx(0.5));
+  }
+  CHECK_THROWS_AS(decode_yolov5({rows.data(), 3, columns}, {ClassId{1}}, 0.1), InvalidValue);
+  CHECK_THROWS_AS(decode_yolov8({turned.data(), 3, 6}, classes, 0.1), InvalidValue);
 }

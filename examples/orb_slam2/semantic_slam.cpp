@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "semantic_slam.hpp"
+
+#include <memory>
+#include <utility>
+
+#include <stopwatch.hpp>
+
+namespace semantic {
+
+using program::Stopwatch;
+
+SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catalog, Detect detect,
+                           Odometry odometry)
+    : settings_(settings),
+      catalog_(std::move(catalog)),
+      detect_(std::move(detect)),
+      odometry_(std::move(odometry)),
+      database_(settings.database, [this](const Frame& frame) { return graph_of_lost(frame); }),
+      thread_([this](const Job& job) { work(job); }, settings.thread) {}
+
+SemanticSlam::~SemanticSlam() { thread_.stop(); }
+
+void SemanticSlam::Images(const cv::Mat& rgb, const cv::Mat& depth, double stamp) {
+  current_ = {rgb, depth, stamp};
+}
+
+void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
+  const Stopwatch watch;
+  // The caller may use its images again; the job outlives them.
+  thread_.push({database_.epoch(),
+                key_frame->mnId,
+                {current_.rgb.clone(), current_.depth.clone(), current_.stamp}});
+  note("tracking: hand a key frame over", watch.milliseconds());
+}
+
+void SemanticSlam::Added(KeyFrame* key_frame) {
+  const Stopwatch watch;
+  database_.add(key_frame);
+  note("loop closing: add", watch.milliseconds());
+}
+
+void SemanticSlam::Erased(KeyFrame* key_frame) { database_.erase(key_frame); }
+
+void SemanticSlam::Cleared() {
+  thread_.reset();
+  database_.clear();
+  lost_.clear();
+  places_.clear();
+}
+
+void SemanticSlam::LoopCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) {
+  const Stopwatch watch;
+  const auto places = database_.loop_places(key_frame);
+  candidates = topobag::merge_candidates(places, candidates);
+  note("loop closing: query", watch.milliseconds());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& place : places) {
+    offered_loops_.push_back(
+        {key_frame->mTimeStamp, place.key_frame->mTimeStamp, place.T_candidate_query});
+  }
+}
+
+void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates) {
+  const Stopwatch watch;
+  graph_ms_ = 0.0;
+  places_ = database_.relocalization_places(*frame);
+  candidates = topobag::merge_candidates(places_, candidates);
+  if (graph_ms_ > 0.0) note("tracking, lost: query", watch.milliseconds() - graph_ms_);
+  OfferedPlaces offered;
+  offered.stamp = frame->mTimeStamp;
+  for (const auto& place : places_) ++(place.verified ? offered.verified : offered.guesses);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  offered_places_.push_back(offered);
+}
+
+std::vector<topobag_hooks::Place<SemanticSlam::KeyFrame>> SemanticSlam::Places() {
+  std::vector<topobag_hooks::Place<KeyFrame>> plain;
+  for (const auto& place : places_) plain.push_back({place.key_frame, place.camera_pose()});
+  return plain;
+}
+
+void SemanticSlam::PlacesTried(int accepted) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!offered_places_.empty()) offered_places_.back().accepted = accepted;
+}
+
+std::vector<OfferedLoop> SemanticSlam::offered_loops() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return offered_loops_;
+}
+
+std::vector<OfferedPlaces> SemanticSlam::offered_places() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return offered_places_;
+}
+
+std::map<std::string, std::vector<double>> SemanticSlam::times() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return times_;
+}
+
+/// The last frames in one graph where odometry joins them, else this frame alone; nothing for a
+/// frame without features.
+std::optional<topobag::TopologyGraph<>> SemanticSlam::graph_of_lost(const Frame& frame) {
+  if (frame.mTimeStamp != current_.stamp || frame.N == 0) return std::nullopt;
+  const Stopwatch all;
+  auto sighting =
+      std::make_shared<const topobag::KeyframeSighting>(sight(current_, "tracking, lost: detect"));
+  const Stopwatch watch;
+  const auto pose = odometry_ ? odometry_(frame.mTimeStamp) : std::nullopt;
+  if (!pose || settings_.lost_window == 0.0) lost_.clear();
+  const double begin = frame.mTimeStamp - settings_.lost_window;
+  while (!lost_.empty() && lost_.front().sighting->stamp < begin) lost_.pop_front();
+  lost_.push_back({std::move(sighting), pose.value_or(Eigen::Isometry3d::Identity())});
+  topobag::LocalGraphOptions fusing = settings_.database.fusing;
+  fusing.window = settings_.lost_window;
+  auto graph = topobag::fuse_sightings({lost_.begin(), lost_.end()}, fusing);
+  note("tracking, lost: fuse", watch.milliseconds());
+  graph_ms_ = all.milliseconds();
+  return graph;
+}
+
+topobag::KeyframeSighting SemanticSlam::sight(const semantic::Images& images, const char* stage) {
+  const Stopwatch watch;
+  std::vector<topobag::RangedDetection> detections;
+  {
+    const std::lock_guard<std::mutex> lock(detect_mutex_);
+    detections = detect_(images);
+  }
+  note(stage, watch.milliseconds());
+  return topobag::sight_keyframe(images.stamp, std::move(detections), settings_.camera, catalog_);
+}
+
+void SemanticSlam::work(const Job& job) {
+  topobag::KeyframeSighting sighting = sight(job.images, "topology thread: detect");
+  const Stopwatch watch;
+  database_.observe(job.epoch, job.id, std::move(sighting));
+  note("topology thread: fuse and add", watch.milliseconds());
+}
+
+void SemanticSlam::note(const std::string& stage, double ms) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  times_[stage].push_back(ms);
+}
+
+}  // namespace semantic

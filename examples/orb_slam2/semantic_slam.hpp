@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include <Frame.h>
+#include <KeyFrame.h>
+#include <Map.h>
+#include <SemanticHooks.h>
+
+#include <topobag/adaptors/orb_slam.hpp>
+#include <topobag/adaptors/topology_thread.hpp>
+
+namespace semantic {
+
+/// The images of one call of `TrackRGBD`.
+struct Images {
+  cv::Mat rgb;
+  cv::Mat depth;
+  double stamp = 0.0;  ///< s
+};
+
+/// What is seen in images, undistorted, with depths. Called on the topology thread and, when
+/// tracking is lost, on tracking's, not on both at a time.
+using Detect = std::function<std::vector<topobag::RangedDetection>(const Images&)>;
+
+/// Where odometry says a lost camera is, in a frame of its own; nothing = it does not know.
+using Odometry = std::function<std::optional<Eigen::Isometry3d>(double stamp)>;
+
+struct Settings {
+  topobag::PinholeCamera<> camera;
+  topobag::OrbSlamOptions database{};
+  topobag::TopologyThreadOptions thread{};
+  double lost_window = 0.0;  ///< s of frames of a lost camera that are fused by odometry
+};
+
+/// A place that was offered for a loop.
+struct OfferedLoop {
+  double query_stamp = 0.0;      ///< s
+  double candidate_stamp = 0.0;  ///< s
+  Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
+};
+
+/// What the lost tracker was offered for one frame.
+struct OfferedPlaces {
+  double stamp = 0.0;  ///< s
+  std::size_t verified = 0;
+  std::size_t guesses = 0;
+  int accepted = -1;  ///< which of them stood the host's test; -1 = none, or it needed none
+};
+
+/// The semantic topology graph thread and the bag beside an ORB-SLAM2.
+class SemanticSlam final
+    : public topobag_hooks::SemanticObserver<ORB_SLAM2::KeyFrame, ORB_SLAM2::Frame> {
+ public:
+  using KeyFrame = ORB_SLAM2::KeyFrame;
+  using Frame = ORB_SLAM2::Frame;
+
+  SemanticSlam(const Settings& settings, topobag::ClassCatalog catalog, Detect detect,
+               Odometry odometry = {});
+  ~SemanticSlam() override;
+
+  void Images(const cv::Mat& rgb, const cv::Mat& depth, double stamp) override;
+  void KeyFrameMade(KeyFrame* key_frame) override;
+  void Added(KeyFrame* key_frame) override;
+  void Erased(KeyFrame* key_frame) override;
+  void Cleared() override;
+  void LoopCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) override;
+  void RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates) override;
+  std::vector<topobag_hooks::Place<KeyFrame>> Places() override;
+  void PlacesTried(int accepted) override;
+
+  /// Returns when the topology thread has nothing left to do; ends it. Before the host's shutdown.
+  void wait_idle() { thread_.wait_idle(); }
+  void stop() { thread_.stop(); }
+
+  std::size_t size() const { return database_.size(); }
+  topobag::TopologyThreadCounts counts() const { return thread_.counts(); }
+  std::pair<std::size_t, std::string> failures() const { return database_.failures(); }
+  std::vector<OfferedLoop> offered_loops() const;
+  std::vector<OfferedPlaces> offered_places() const;
+
+  /// How long each stage took, ms, by name, a value a call.
+  std::map<std::string, std::vector<double>> times() const;
+
+ private:
+  struct Job {
+    std::uint64_t epoch = 0;
+    std::uint64_t id = 0;
+    semantic::Images images;
+  };
+
+  std::optional<topobag::TopologyGraph<>> graph_of_lost(const Frame& frame);
+  topobag::KeyframeSighting sight(const semantic::Images& images, const char* stage);
+  void work(const Job& job);
+  void note(const std::string& stage, double ms);
+
+  const Settings settings_;
+  const topobag::ClassCatalog catalog_;
+  const Detect detect_;
+  const Odometry odometry_;
+
+  // Tracking's alone.
+  semantic::Images current_;
+  std::deque<topobag::PosedSighting> lost_;
+  std::vector<topobag::OrbSlamPlace<KeyFrame>> places_;
+  double graph_ms_ = 0.0;  ///< what the last lost frame's graph took; 0 = it has none
+
+  mutable std::mutex mutex_;  ///< of what follows
+  std::map<std::string, std::vector<double>> times_;
+  std::vector<OfferedLoop> offered_loops_;
+  std::vector<OfferedPlaces> offered_places_;
+
+  std::mutex detect_mutex_;
+  topobag::OrbSlamDatabase<KeyFrame, Frame, ORB_SLAM2::Map> database_;
+  topobag::TopologyThread<Job> thread_;
+};
+
+}  // namespace semantic

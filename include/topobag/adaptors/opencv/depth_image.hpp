@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <opencv2/core.hpp>
+
+#include <topobag/error.hpp>
+#include <topobag/sensing/depth_view.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// A depth source over a depth image, 16-bit unsigned or float, one channel; it holds on to the
+/// image's pixels.
+class DepthImage {
+ public:
+  /// @param depth_scale  value / depth_scale = metres (F of eq. 5)
+  /// Throws InvalidValue for an image that is empty or of another type, or a scale not > 0.
+  DepthImage(const cv::Mat& image, double depth_scale) : image_(image) {
+    const auto stride = static_cast<std::ptrdiff_t>(image.empty() ? 0 : image.step1());
+    if (image.type() == CV_16UC1) {
+      integers_.emplace(image.ptr<std::uint16_t>(), image.cols, image.rows, depth_scale, stride);
+    } else if (image.type() == CV_32FC1) {
+      floats_.emplace(image.ptr<float>(), image.cols, image.rows, depth_scale, stride);
+    } else {
+      throw InvalidValue("a depth image has one channel, 16-bit unsigned or 32-bit float");
+    }
+  }
+
+  /// Depth at the pixel nearest to (u, v), m. O(1).
+  std::optional<double> operator()(const Eigen::Vector2d& pixel) const noexcept {
+    return integers_ ? (*integers_)(pixel) : (*floats_)(pixel);
+  }
+
+ private:
+  cv::Mat image_;  ///< shares the pixels
+  std::optional<DepthView<std::uint16_t>> integers_;
+  std::optional<DepthView<float>> floats_;
+};
+
+}  // namespace v0
+}  // namespace topobag

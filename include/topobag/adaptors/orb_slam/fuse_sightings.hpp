@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/graph/keyframe_sighting.hpp>
+#include <topobag/graph/local_graph.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// A sighting and where the host places its camera.
+struct PosedSighting {
+  std::shared_ptr<const KeyframeSighting> sighting;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+};
+
+/// The graph of the last sighting's key frame, fused from all of them in the order of time. The
+/// world cancels out: only relative poses go in. Empty for none. Throws as `LocalGraph::add`.
+inline TopologyGraph<> fuse_sightings(const std::vector<PosedSighting>& sightings,
+                                      const LocalGraphOptions& options) {
+  if (sightings.empty()) return {};
+  LocalGraph<> local(options);
+  const PosedSighting* previous = &sightings.front();
+  for (const PosedSighting& current : sightings) {
+    local.add(current.sighting->stamp, current.sighting->nodes,
+              previous->T_world_camera.inverse() * current.T_world_camera, current.sighting->view);
+    previous = &current;
+  }
+  return local.graph();
+}
+
+}  // namespace v0
+}  // namespace topobag

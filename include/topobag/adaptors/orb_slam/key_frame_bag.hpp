@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <topobag/adaptors/orb_slam/fuse_sightings.hpp>
+#include <topobag/adaptors/orb_slam/host_maps.hpp>
+#include <topobag/adaptors/orb_slam/host_pose.hpp>
+#include <topobag/adaptors/orb_slam/key_frame_pins.hpp>
+#include <topobag/adaptors/orb_slam/key_frame_register.hpp>
+#include <topobag/adaptors/orb_slam/place.hpp>
+#include <topobag/recognition/relocalizer.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// A bag whose entries are key frames of a host that moves, culls and deletes them meanwhile.
+///
+/// Any function may be called from any thread. The one lock is a leaf: nothing of the host is
+/// called with it held. `erase` and `clear` wait for whoever reads a key frame at that time, so
+/// that the host may delete it afterwards; they must not be called with a lock of the host held
+/// that `isBad`, `GetPoseInverse` or `GetMap` take.
+template <typename KeyFrame>
+class KeyFrameBag {
+ public:
+  using Graph = TopologyGraph<>;
+  using Places = std::vector<OrbSlamPlace<KeyFrame>>;
+
+  KeyFrameBag(const LocalGraphOptions& fusing, const RecognitionOptions& recognition)
+      : fusing_(fusing), relocalizer_(recognition) {}
+
+  /// Goes up with every `clear`.
+  std::uint64_t epoch() const {
+    const Lock lock(mutex_);
+    return known_.epoch();
+  }
+
+  /// Key frames that can be found.
+  std::size_t size() const {
+    const Lock lock(mutex_);
+    return relocalizer_.map().size();
+  }
+
+  /// What was seen in a key frame of an epoch; false when it was culled or the map reset meanwhile.
+  bool observe(std::uint64_t epoch, std::uint64_t id, KeyframeSighting sighting) {
+    {
+      const Lock lock(mutex_);
+      if (!known_.observe(epoch, id, std::move(sighting))) return false;
+    }
+    sighted_.notify_all();
+    make_entry(id);
+    return true;
+  }
+
+  void add(KeyFrame& key_frame) {
+    if (is_bad(key_frame)) return;
+    const std::uint64_t id = key_frame.mnId;
+    {
+      const Lock lock(mutex_);
+      if (!known_.add(id, &key_frame)) return;
+    }
+    make_entry(id);
+  }
+
+  void erase(const KeyFrame& key_frame) {
+    const std::uint64_t id = key_frame.mnId;
+    Lock lock(mutex_);
+    forget(id);
+    pins_.wait_for_older(lock);
+  }
+
+  /// Erases every key frame of one of several maps; the epoch goes on.
+  void erase_map(const void* map) {
+    Lock lock(mutex_);
+    const auto all = known_.key_frames();
+    std::vector<std::uint64_t> gone;
+    {
+      const KeyFramePins::Scope pinned(pins_, lock);
+      for (const auto& [id, key_frame] : all) {
+        if (map_of(*key_frame) == map) gone.push_back(id);
+      }
+    }
+    lock.lock();
+    for (const std::uint64_t id : gone) forget(id);
+    pins_.wait_for_older(lock);
+  }
+
+  void clear() {
+    Lock lock(mutex_);
+    known_.clear();
+    relocalizer_.map().clear();
+    pins_.wait_for_older(lock);
+  }
+
+  /// Makes every graph anew with the host's poses of now.
+  void refresh() {
+    std::vector<std::uint64_t> ids;
+    {
+      const Lock lock(mutex_);
+      for (const auto& entry : known_.key_frames()) ids.push_back(entry.first);
+    }
+    for (const std::uint64_t id : ids) make_entry(id);
+  }
+
+  /// The graph of a key frame that the caller keeps alive, added or not; nothing when its sighting
+  /// does not come within `wait`.
+  std::optional<Graph> graph_of(KeyFrame& key_frame, std::chrono::milliseconds wait) {
+    const std::uint64_t id = key_frame.mnId;
+    Lock lock(mutex_);
+    const std::uint64_t epoch = known_.epoch();
+    const bool there = sighted_.wait_for(
+        lock, wait, [&] { return known_.epoch() != epoch || known_.is_sighted(id); });
+    if (!there || known_.epoch() != epoch) return std::nullopt;
+    return fuse(known_.window_of(id, &key_frame, fusing_.window), lock);
+  }
+
+  /// Every pose that a candidate offers: verified ones first, then by falling score, ties by id.
+  ///
+  /// @param excluded  key frames that are no candidates
+  /// @param newest    s; later ones are none either
+  /// @param map       places in another one are marked; null = whatever map
+  Places places(const Graph& graph, const std::set<KeyFrame*>& excluded,
+                std::optional<double> newest, const void* map) {
+    Lock lock(mutex_);
+    std::set<KeyframeId> left_out;
+    for (const auto& [id, key_frame] : known_.key_frames()) {
+      if (excluded.count(key_frame) != 0) left_out.insert(KeyframeId{id});
+    }
+    RecognitionOptions options = relocalizer_.options();
+    options.retrieval.filter = [&](KeyframeId id, const EntryInfo& info) {
+      return left_out.count(id) == 0 && (!newest || *info.stamp <= *newest);
+    };
+    const Recognition recognition = relocalizer_.localize(graph, options);
+    std::vector<std::pair<const CandidateReport*, KeyFrame*>> found;
+    for (const CandidateReport& report : recognition.candidates) {
+      if (report.pose) found.emplace_back(&report, known_.key_frame(value(report.id)));
+    }
+
+    const KeyFramePins::Scope pinned(pins_, lock);
+    Places places;
+    for (const auto& [report, key_frame] : found) {
+      if (!is_bad(*key_frame)) append(*report, *key_frame, map, places);
+    }
+    return best_first(places);
+  }
+
+ private:
+  using Lock = KeyFramePins::Lock;
+  using Members = std::vector<SightedKeyFrame<KeyFrame>>;
+
+  static void append(const CandidateReport& report, KeyFrame& key_frame, const void* map,
+                     Places& places) {
+    const Eigen::Isometry3d T_world_candidate = host_pose(key_frame.GetPoseInverse());
+    const bool other_map = map != nullptr && map_of(key_frame) != map;
+    const auto offer = [&](const RelativePose& pose, bool verified) {
+      places.push_back({&key_frame, pose.T_candidate_query,
+                        T_world_candidate * pose.T_candidate_query, pose.score(), verified,
+                        other_map});
+    };
+    offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::outdone);
+    for (const RelativePose& other : report.other_poses) offer(other, false);
+  }
+
+  static Places best_first(const Places& places) {
+    std::vector<std::size_t> order(places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // By index: libstdc++'s stable_sort keeps places in a buffer that is not aligned for AVX.
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      const auto &l = places[a], &r = places[b];
+      return l.verified != r.verified ? l.verified : l.score > r.score;
+    });
+    Places sorted;
+    for (const std::size_t i : order) sorted.push_back(places[i]);
+    return sorted;
+  }
+
+  void forget(std::uint64_t id) {
+    known_.erase(id);
+    relocalizer_.map().erase(KeyframeId{id});
+  }
+
+  /// Reads the poses of now and fuses. Needs the lock and releases it.
+  Graph fuse(const Members& members, Lock& lock) {
+    std::vector<PosedSighting> posed;
+    {
+      const KeyFramePins::Scope pinned(pins_, lock);
+      for (const auto& [sighting, key_frame] : members) {
+        if (key_frame != members.back().key_frame && is_bad(*key_frame)) continue;
+        posed.push_back({sighting, host_pose(key_frame->GetPoseInverse())});
+      }
+    }
+    return fuse_sightings(posed, fusing_);
+  }
+
+  /// Puts a key frame into the bag, or its graph anew, once its pointer and its sighting are there.
+  void make_entry(std::uint64_t id) {
+    Lock lock(mutex_);
+    const std::uint64_t epoch = known_.epoch();
+    KeyFrame* const key_frame = known_.key_frame(id);
+    if (key_frame == nullptr || !known_.is_sighted(id)) return;
+    const Members members = known_.window_of(id, key_frame, fusing_.window);
+    Graph graph = fuse(members, lock);
+    lock.lock();
+    if (known_.epoch() != epoch || known_.key_frame(id) == nullptr) return;
+    EntryInfo info;
+    info.stamp = members.back().sighting->stamp;
+    auto& bag = relocalizer_.map();
+    if (bag.contains(KeyframeId{id})) {
+      bag.update(KeyframeId{id}, std::move(graph), info);
+    } else if (graph.is_matchable()) {
+      bag.add(KeyframeId{id}, std::move(graph), info);
+    }
+  }
+
+  const LocalGraphOptions fusing_;
+  mutable std::mutex mutex_;
+  std::condition_variable sighted_;
+  KeyFramePins pins_;
+  KeyFrameRegister<KeyFrame> known_;
+  Relocalizer<> relocalizer_;
+};
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <topobag/error.hpp>
+#include <topobag/types/detection.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// How a YOLO network writes its detections down.
+enum class YoloHead {
+  yolox,  ///< cells × (cx, cy, w, h, objectness, scores …) relative to grids of stride 8, 16, 32
+  yolov5,  ///< boxes × (cx, cy, w, h, objectness, scores …) in px (YOLOv5, v7)
+  yolov8,  ///< (cx, cy, w, h, scores …) × boxes in px, no objectness (YOLOv8, 9, 11)
+};
+
+/// How detections are got out of a YOLO network.
+struct YoloOptions {
+  YoloHead head = YoloHead::yolox;
+  int input_size = 416;         ///< side of the network's square input, px
+  double min_confidence = 0.1;  ///< score of a detection that is kept
+  double max_iou = 0.45;        ///< overlap up to which two boxes of one class are two objects
+};
+
+/// What a network puts out for one image, row by row.
+struct NetworkOutput {
+  const float* data = nullptr;
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+};
+
+namespace detail {
+
+inline void require_shape(const NetworkOutput& output, std::size_t rows, std::size_t columns,
+                          const std::string& network) {
+  const bool any_rows = rows == 0, any_columns = columns == 0;
+  if ((any_rows || output.rows == rows) && (any_columns || output.columns == columns)) return;
+  throw InvalidValue("the network gives " + std::to_string(output.rows) + " x " +
+                     std::to_string(output.columns) + " numbers; a " + network + " gives " +
+                     (any_rows ? "any number of" : std::to_string(rows)) + " x " +
+                     (any_columns ? "any number" : std::to_string(columns)));
+}
+
+/// Appends a detection unless its score is too low or its box empty; NaN is both.
+inline void append_detection(const Eigen::Vector2d& center, double width, double height,
+                             ClassId label, double confidence, double min_confidence,
+                             std::vector<Detection>& detections) {
+  if (!(confidence >= min_confidence)) return;
+  const BoundingBox box = box_around(center, width, height);
+  if (box.is_valid()) detections.push_back({box, label, std::min(confidence, 1.0)});
+}
+
+}  // namespace detail
+
+/// The detections in the output of a YOLOX network, in px of its input measured from the input's
+/// upper-left corner.
+/// @param classes     the class behind each score
+/// @param input_size  side of the network's square input, px
+/// Throws InvalidValue when the output's shape does not go with classes and input size.
+inline std::vector<Detection> decode_yolox(const NetworkOutput& output,
+                                           const std::vector<ClassId>& classes, int input_size,
+                                           double min_confidence) {
+  constexpr std::size_t strides[] = {8, 16, 32};
+  const auto input_side = static_cast<std::size_t>(input_size);
+  std::size_t cells = 0;
+  for (const std::size_t stride : strides) cells += (input_side / stride) * (input_side / stride);
+  detail::require_shape(output, cells, 5 + classes.size(),
+                        "YOLOX network for images of side " + std::to_string(input_size) + " and " +
+                            std::to_string(classes.size()) + " classes");
+  std::vector<Detection> detections;
+  const float* row = output.data;
+  for (const std::size_t stride : strides) {
+    const std::size_t side = input_side / stride;
+    const auto s = static_cast<double>(stride);
+    for (std::size_t cell = 0; cell < side * side; ++cell, row += output.columns) {
+      const float* const scores = row + 5;
+      const float* const best = std::max_element(scores, scores + classes.size());
+      const Eigen::Vector2d grid(static_cast<double>(cell % side),
+                                 static_cast<double>(cell / side));
+      detail::append_detection(
+          (Eigen::Vector2d(row[0], row[1]) + grid) * s, std::exp(static_cast<double>(row[2])) * s,
+          std::exp(static_cast<double>(row[3])) * s,
+          classes[static_cast<std::size_t>(best - scores)],
+          static_cast<double>(row[4]) * static_cast<double>(*best), min_confidence, detections);
+    }
+  }
+  return detections;
+}
+
+/// The same for `YoloHead::yolov5`.
+inline std::vector<Detection> decode_yolov5(const NetworkOutput& output,
+                                            const std::vector<ClassId>& classes,
+                                            double min_confidence) {
+  detail::require_shape(output, 0, 5 + classes.size(),
+                        "YOLOv5 network of " + std::to_string(classes.size()) + " classes");
+  std::vector<Detection> detections;
+  for (std::size_t i = 0; i < output.rows; ++i) {
+    const float* const row = output.data + i * output.columns;
+    const float* const scores = row + 5;
+    const float* const best = std::max_element(scores, scores + classes.size());
+    detail::append_detection(
+        {row[0], row[1]}, static_cast<double>(row[2]), static_cast<double>(row[3]),
+        classes[static_cast<std::size_t>(best - scores)],
+        static_cast<double>(row[4]) * static_cast<double>(*best), min_confidence, detections);
+  }
+  return detections;
+}
+
+/// The same for `YoloHead::yolov8`.
+inline std::vector<Detection> decode_yolov8(const NetworkOutput& output,
+                                            const std::vector<ClassId>& classes,
+                                            double min_confidence) {
+  detail::require_shape(output, 4 + classes.size(), 0,
+                        "YOLOv8 network of " + std::to_string(classes.size()) + " classes");
+  const auto at = [&](std::size_t row, std::size_t box) {
+    return static_cast<double>(output.data[row * output.columns + box]);
+  };
+  std::vector<Detection> detections;
+  for (std::size_t box = 0; box < output.columns; ++box) {
+    std::size_t best = 0;
+    for (std::size_t c = 1; c < classes.size(); ++c) {
+      if (at(4 + c, box) > at(4 + best, box)) best = c;
+    }
+    detail::append_detection({at(0, box), at(1, box)}, at(2, box), at(3, box), classes[best],
+                             at(4 + best, box), min_confidence, detections);
+  }
+  return detections;
+}
+
+}  // namespace v0
+}  // namespace topobag

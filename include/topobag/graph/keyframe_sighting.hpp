@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <topobag/graph/view.hpp>
+#include <topobag/sensing/lift_detections.hpp>
+#include <topobag/sensing/pinhole_camera.hpp>
+#include <topobag/types/class_catalog.hpp>
+#include <topobag/types/ranged_detection.hpp>
+#include <topobag/types/semantic_node.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// What one key frame shows: its nodes, and the view with all that may hide an object from it.
+struct KeyframeSighting {
+  double stamp = 0.0;                 ///< s
+  std::vector<SemanticNode<>> nodes;  ///< in the key frame's camera frame
+  View<> view;
+};
+
+struct SightingOptions {
+  LiftOptions lifting{};
+  std::size_t max_detections = 256;  ///< the surest are used: a detector gone wild costs no more
+};
+
+/// Lifts the detections of a key frame and notes what they hide. People hide things too; a box of
+/// half the image is a room and hides nothing.
+///
+/// @param stamp       s
+/// @param detections  as `range_detections` gives them
+/// @param camera      of the image the boxes are in, with its size
+/// Throws as `lift_detections`. O(n log n + duplicates).
+inline KeyframeSighting sight_keyframe(double stamp, std::vector<RangedDetection> detections,
+                                       const PinholeCamera<>& camera, const ClassCatalog& catalog,
+                                       const SightingOptions& options = {}) {
+  if (detections.size() > options.max_detections) {
+    const auto rank = [](const RangedDetection& d) {
+      return std::isfinite(d.confidence) ? d.confidence : -1.0;
+    };
+    std::stable_sort(
+        detections.begin(), detections.end(),
+        [&](const RangedDetection& a, const RangedDetection& b) { return rank(a) > rank(b); });
+    detections.resize(options.max_detections);
+  }
+  KeyframeSighting sighting;
+  sighting.stamp = stamp;
+  sighting.nodes = lift_detections(detections, camera, catalog, options.lifting).nodes;
+  sighting.view.camera = camera;
+  const double max_area = options.lifting.max_image_share * camera.width * camera.height;
+  for (const RangedDetection& detection : detections) {
+    if (detection.box.is_valid() && detection.confidence >= options.lifting.min_confidence &&
+        detection.box.area() < max_area) {
+      sighting.view.occluders.push_back({detection.box, detection.z});
+    }
+  }
+  return sighting;
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <topobag/types/bounding_box.hpp>
+#include <topobag/types/detection.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// A detection that knows its depth.
+struct RangedDetection {
+  BoundingBox box;          ///< px
+  ClassId label{};          ///< class, numbered as in the catalog in use
+  double confidence = 1.0;  ///< detector's score in [0, 1]
+  double z = 0.0;           ///< depth, m; 0 = unknown
+};
+
+template <>
+struct detection_traits<RangedDetection> {
+  static const BoundingBox& box(const RangedDetection& d) { return d.box; }
+  static ClassId label(const RangedDetection& d) { return d.label; }
+  static double confidence(const RangedDetection& d) { return d.confidence; }
+  static std::optional<double> depth(const RangedDetection& d) {
+    return d.z > 0.0 ? std::optional<double>(d.z) : std::nullopt;
+  }
+};
+
+}  // namespace v0
+}  // namespace topobag

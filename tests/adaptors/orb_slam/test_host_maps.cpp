@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+#include <vector>
+
+#include <topobag/adaptors/orb_slam.hpp>
+
+#include "adaptors/small_host.hpp"
+#include "catch.hpp"
+
+using namespace topobag;
+
+namespace {
+
+/// The names of an ORB-SLAM3: several maps, poses as Sophus has them.
+struct Map {
+  bool bad = false;
+  bool IsBad() const { return bad; }
+};
+
+struct KeyFrame {
+  unsigned long mnId;
+  double mTimeStamp;
+  Eigen::Isometry3d T_world_camera;
+  Map* map;
+  bool bad = false;
+
+  bool isBad() const { return bad; }
+  Map* GetMap() const { return map; }
+  Eigen::Isometry3f GetPoseInverse() const {
+    return Eigen::Isometry3f(T_world_camera.cast<float>());
+  }
+  std::set<KeyFrame*> GetConnectedKeyFrames() const { return {}; }
+};
+
+struct Frame {
+  Eigen::Isometry3d T_world_camera;
+};
+
+using Database = OrbSlamDatabase<KeyFrame, Frame, Map>;
+using Pointers = std::vector<KeyFrame*>;
+
+}  // namespace
+
+static_assert(has_maps_v<KeyFrame>);
+static_assert(!has_maps_v<small_host::KeyFrame>);
+
+TEST_CASE("a key frame in a bad map is of no use", "[adaptors]") {
+  Map map;
+  KeyFrame key_frame{1, 0.0, Eigen::Isometry3d::Identity(), &map};
+  CHECK_FALSE(is_bad(key_frame));
+  map.bad = true;
+  CHECK(is_bad(key_frame));
+  CHECK(map_of(key_frame) == &map);
+}
+
+TEST_CASE("with several maps candidates are told apart by map", "[adaptors]") {
+  const SyntheticRoom room(7, 9, 4);
+  std::mt19937 random(2);
+  Map here, elsewhere;
+  Database database({}, [&](const Frame& frame) {
+    return std::optional<TopologyGraph<>>(room.seen_from(frame.T_world_camera));
+  });
+  std::vector<std::unique_ptr<KeyFrame>> key_frames;
+  const auto mapped = [&](double stamp, Map& map) -> KeyFrame& {
+    const auto id = static_cast<unsigned long>(key_frames.size());
+    key_frames.push_back(
+        std::make_unique<KeyFrame>(KeyFrame{id, stamp, random_camera(random), &map}));
+    KeyFrame& key_frame = *key_frames.back();
+    database.observe(0, id, small_host::sighting(room, stamp, key_frame.T_world_camera));
+    database.add(&key_frame);
+    return key_frame;
+  };
+  KeyFrame& same = mapped(0.0, here);
+  KeyFrame& other = mapped(10.0, elsewhere);
+  KeyFrame& now = mapped(100.0, here);
+
+  Pointers loops{&same}, merges;
+  database.DetectNBestCandidates(&now, loops, merges, 3);
+  CHECK(loops == Pointers{&same});
+  CHECK(merges == Pointers{&other});
+  Pointers no_loops, no_merges;
+  database.DetectNBestCandidates(&now, no_loops, no_merges, 0);
+  CHECK(no_loops.empty());
+
+  Frame frame{random_camera(random)};
+  const Pointers found = database.DetectRelocalizationCandidates(&frame, &elsewhere);
+  CHECK(found == Pointers{&other});
+  database.clearMap(&elsewhere);
+  CHECK(database.size() == 2);
+  CHECK(database.DetectRelocalizationCandidates(&frame, &elsewhere).empty());
+  here.bad = true;
+  CHECK(database.DetectRelocalizationCandidates(&frame, &here).empty());
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <vector>
+
+#include <topobag/sensing/non_maximum_suppression.hpp>
+
+#include "catch.hpp"
+
+using namespace topobag;
+
+TEST_CASE("non-maximum suppression stays within a class", "[sensing]") {
+  const BoundingBox box{0.0, 0.0, 10.0, 10.0};
+  const BoundingBox shifted{2.0, 0.0, 12.0, 10.0};  // IoU 2/3
+  const BoundingBox beside{8.0, 0.0, 18.0, 10.0};   // IoU 1/9
+  const std::vector<Detection> kept = suppress_non_maxima({{shifted, ClassId{1}, 0.5},
+                                                           {beside, ClassId{1}, 0.4},
+                                                           {box, ClassId{1}, 0.9},
+                                                           {shifted, ClassId{2}, 0.3}},
+                                                          0.45);
+  REQUIRE(kept.size() == 3);
+  CHECK(kept[0].confidence == 0.9);
+  CHECK(kept[1].confidence == 0.4);
+  CHECK(kept[2].label == ClassId{2});
+}
