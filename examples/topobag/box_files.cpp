@@ -5,16 +5,14 @@
 #include <filesystem>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
 #include "csv_reader.hpp"
 #include "input_error.hpp"
+#include "json_output.hpp"
 
 namespace program {
 namespace {
 
 using topobag::Detection;
-using Json = nlohmann::json;
 
 std::string stem(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 

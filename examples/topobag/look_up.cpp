@@ -45,7 +45,7 @@ topobag::Calibration calibration_of(const topobag::Relocalizer<>& relocalizer,
                                     const RecognitionRun& run,
                                     const std::vector<Keyframe>& other_places) {
   std::vector<topobag::KeyframeId> ids;
-  for (std::size_t i = 0; i < run.map.size(); ++i) ids.emplace_back(i);
+  for (std::size_t i = 0; i < run.map.size(); ++i) ids.push_back(topobag::KeyframeId{i});
   const auto usable =
       std::count_if(other_places.begin(), other_places.end(),
                     [](const Keyframe& other) { return other.graph.is_matchable(); });

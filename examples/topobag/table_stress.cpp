@@ -35,7 +35,7 @@ class Draws {
 std::vector<topobag::ClassId> classes_of(const NodeTable& table) {
   std::set<topobag::ClassId> classes;
   for (const FrameRow& frame : table.frames) {
-    for (const TableDetection& detection : frame.detections) classes.insert(detection.label);
+    for (const topobag::RangedDetection& detection : frame.detections) classes.insert(detection.label);
   }
   return {classes.begin(), classes.end()};
 }
@@ -56,8 +56,8 @@ void apply(const TableStress& stress, NodeTable& table) {
   Draws draws(stress);
   const std::vector<topobag::ClassId> classes = classes_of(table);
   for (FrameRow& frame : table.frames) {
-    std::vector<TableDetection> kept;
-    for (TableDetection detection : frame.detections) {
+    std::vector<topobag::RangedDetection> kept;
+    for (topobag::RangedDetection detection : frame.detections) {
       const bool dropped = draws.uniform() < stress.drop;
       const bool flipped = draws.uniform() < stress.flip;
       const double share = draws.uniform();

@@ -16,7 +16,7 @@ NodeTable table_of(std::size_t count) {
   NodeTable table;
   for (std::size_t i = 0; i < count; ++i) {
     if (i % 10 == 0) table.frames.emplace_back();
-    TableDetection detection;
+    topobag::RangedDetection detection;
     detection.box = topobag::box_around({static_cast<double>(i), 0.0}, 10.0, 10.0);
     detection.label = topobag::ClassId{static_cast<std::int32_t>(i % 4)};
     detection.z = 2.0;
@@ -25,17 +25,18 @@ NodeTable table_of(std::size_t count) {
   return table;
 }
 
-std::vector<TableDetection> stressed(const TableStress& stress, std::size_t count = 20000) {
+std::vector<topobag::RangedDetection> stressed(const TableStress& stress,
+                                               std::size_t count = 20000) {
   NodeTable table = table_of(count);
   apply(stress, table);
-  std::vector<TableDetection> all;
+  std::vector<topobag::RangedDetection> all;
   for (const FrameRow& frame : table.frames) {
     all.insert(all.end(), frame.detections.begin(), frame.detections.end());
   }
   return all;
 }
 
-std::size_t number_of(const TableDetection& detection) {
+std::size_t number_of(const topobag::RangedDetection& detection) {
   return static_cast<std::size_t>(std::lround(detection.box.center().x()));
 }
 
