@@ -17,7 +17,7 @@ namespace {
 
 using Bag = topobag::BagOfTopologyGraphs<>;
 
-std::uint64_t classes() { return topobag::fingerprint(topobag::ClassCatalog::coco80()); }
+std::uint64_t class_fingerprint() { return topobag::fingerprint(topobag::ClassCatalog::coco80()); }
 
 /// The numbers of the runs in a bag, ascending.
 std::set<std::uint32_t> sessions_in(const Bag& bag) {
@@ -32,7 +32,7 @@ SavedMap read_snapshot(const std::string& path) {
   const topobag::SnapshotHeader header = topobag::inspect(path);
   SavedMap saved{"snapshot, format " + std::to_string(header.format_version),
                  {},
-                 topobag::load<Bag>(path, classes())};
+                 topobag::load<Bag>(path, class_fingerprint())};
   for (const std::uint32_t session : sessions_in(saved.bag))
     saved.sessions.push_back({session, ""});
   return saved;
@@ -46,7 +46,7 @@ void extend_snapshot(const std::string& path, const std::vector<Keyframe>& keyfr
     bag.add(entry.id, *entry.graph, entry.info);
   }
   topobag::SaveOptions options;
-  options.catalog_fingerprint = classes();
+  options.catalog_fingerprint = class_fingerprint();
   topobag::save(bag, path, options);
 }
 

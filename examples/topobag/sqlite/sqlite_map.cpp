@@ -6,7 +6,7 @@
 namespace program {
 namespace {
 
-topobag::SqliteOptions options(bool read_only) {
+topobag::SqliteOptions sqlite_options(bool read_only) {
   topobag::SqliteOptions options;
   options.read_only = read_only;
   options.catalog = topobag::ClassCatalog::coco80();
@@ -16,7 +16,7 @@ topobag::SqliteOptions options(bool read_only) {
 }  // namespace
 
 SavedMap read_sqlite_map(const std::string& path) {
-  const topobag::SqliteBag<> map(path, options(true));
+  const topobag::SqliteBag<> map(path, sqlite_options(true));
   SavedMap saved{
       "SQLite map, schema " + std::to_string(topobag::sqlite_schema_version), {}, map.bag()};
   for (const topobag::MapSession& session : map.sessions()) {
@@ -27,7 +27,7 @@ SavedMap read_sqlite_map(const std::string& path) {
 
 void extend_sqlite_map(const std::string& path, const std::string& session,
                        const std::vector<Keyframe>& keyframes) {
-  topobag::SqliteBag<> map(path, options(false));
+  topobag::SqliteBag<> map(path, sqlite_options(false));
   const std::uint32_t number = map.begin_session(session);
   for (const MapEntry& entry : new_entries(map.bag(), number, keyframes)) {
     map.add(entry.id, *entry.graph, entry.info);
