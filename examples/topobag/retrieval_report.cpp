@@ -61,12 +61,12 @@ Json metrics_json(const LabelledScores& labelled, const RetrievalReportOptions& 
 
 /// Per query with a positive: 1 when its best answer is one, else 0.
 std::vector<double> first_answers(const LabelledScores& labelled) {
-  std::vector<double> right;
+  std::vector<double> hits;
   const auto ranks = topobag::first_positive_ranks(labelled);
   for (std::size_t i = 0; i < ranks.size(); ++i) {
-    if (labelled.totals[i].positives > 0) right.push_back(ranks[i] == 1 ? 1.0 : 0.0);
+    if (labelled.totals[i].positives > 0) hits.push_back(ranks[i] == 1 ? 1.0 : 0.0);
   }
-  return right;
+  return hits;
 }
 
 void append(std::string& text, double value, char end) {
