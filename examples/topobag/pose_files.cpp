@@ -28,7 +28,7 @@ PoseFormat format_of(const std::string& path) {
   throw InputError(path, "there is no pose in the file");
 }
 
-topobag::Trajectory read_frames(const std::string& path) {
+topobag::Trajectory read_frame_poses(const std::string& path) {
   CsvReader csv(path);
   const std::array<const char*, 8> names{"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
   std::array<std::size_t, 8> columns{};
@@ -61,7 +61,7 @@ PoseFile read_pose_file(const std::string& path, const std::string& times,
       file.content = topobag::read_openloris(path, repeated);
       break;
     case PoseFormat::frames:
-      single = read_frames(path);
+      single = read_frame_poses(path);
       break;
     case PoseFormat::tum:
       single = topobag::read_tum(path);
