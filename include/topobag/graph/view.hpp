@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
 #include <topobag/types/bounding_box.hpp>
 
@@ -27,22 +30,43 @@ struct View {
   Pose T_graph_camera = Pose::Identity();  ///< from this camera's frame to the graph's
   PinholeCamera<Scalar> camera;            ///< with its image size
   std::vector<Occluder> occluders;         ///< everything detected, dynamic objects too
+  std::optional<DepthGrid> depth;          ///< measured by this camera; in memory alone, not saved
 
-  /// Whether an object at `point` (graph frame, m) should have shown in this image: its centre at
-  /// least `margin` px inside, nearer than `max_depth` m and behind no occluder. False when the
+  /// Where a point (graph frame, m) falls into this image when it is at least `margin` px inside
+  /// and nearer than `max_depth` m, and its distance along the optical axis, m. Nothing when the
   /// image size is unknown.
+  std::optional<std::pair<Eigen::Vector2d, double>> in_field(
+      const Eigen::Matrix<Scalar, 3, 1>& point, Scalar margin, Scalar max_depth) const {
+    const Eigen::Matrix<Scalar, 3, 1> in_camera = T_graph_camera.inverse() * point;
+    if (in_camera.z() > max_depth) return std::nullopt;
+    const auto pixel = camera.project(in_camera);
+    if (!pixel || !camera.in_image(*pixel, margin)) return std::nullopt;
+    return std::make_pair(pixel->template cast<double>().eval(),
+                          static_cast<double>(in_camera.z()));
+  }
+
+  /// Whether an object at `point` (graph frame, m) should have shown in this image: in its field
+  /// and behind no occluder.
   bool should_show(const Eigen::Matrix<Scalar, 3, 1>& point, Scalar margin,
                    Scalar max_depth) const {
-    const Eigen::Matrix<Scalar, 3, 1> in_camera = T_graph_camera.inverse() * point;
-    if (in_camera.z() > max_depth) return false;
-    const auto pixel = camera.project(in_camera);
-    if (!pixel || !camera.in_image(*pixel, margin)) return false;
+    const auto seen = in_field(point, margin, max_depth);
+    if (!seen) return false;
+    const auto& [pixel, z] = *seen;
     for (const Occluder& occluder : occluders) {
-      const bool nearer =
-          !(occluder.z > 0.0) || occluder.z < 0.85 * static_cast<double>(in_camera.z());
-      if (nearer && occluder.box.contains(pixel->template cast<double>())) return false;
+      const bool nearer = !(occluder.z > 0.0) || occluder.z < 0.85 * z;
+      if (nearer && occluder.box.contains(pixel)) return false;
     }
     return true;
+  }
+
+  /// Whether this camera looked through `point` (graph frame, m): in its field, and the depth
+  /// measured there lies beyond it by more than `clearance` m. False where nothing was measured.
+  bool sees_through(const Eigen::Matrix<Scalar, 3, 1>& point, Scalar margin, Scalar max_depth,
+                    double clearance) const {
+    const auto seen = depth ? in_field(point, margin, max_depth) : std::nullopt;
+    if (!seen) return false;
+    const std::optional<double> measured = (*depth)(seen->first);
+    return measured && *measured > seen->second + clearance;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -12,6 +13,7 @@
 #include <Eigen/LU>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/refine_pose.hpp>
@@ -38,6 +40,8 @@ struct ChanceModel {
   double size_outliers =
       0.05;                  ///< share of the pairs whose sizes tell nothing: cut or misread boxes
   double relabeling = 0.45;  ///< −log10 P of the label of a pair of two classes of one group
+  std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
+                                              ///< candidate's
 
   /// −log10 of the expected number of false matches. 0 for fewer than three pairs. O(n + k).
   /// @param pairs   of nodes with positions, one-to-one
@@ -54,7 +58,9 @@ struct ChanceModel {
     for (const Correspondence& pair : pairs) {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
-      if (p.label != q.label) significance -= relabeling;
+      if (p.label != q.label) {
+        significance -= confusion ? confusion->cost(p.label, q.label) : relabeling;
+      }
       significance +=
           log10_size_factor(static_cast<double>(p.size.norm()), static_cast<double>(q.size.norm()));
     }

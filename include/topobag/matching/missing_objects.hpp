@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -16,15 +17,17 @@ inline namespace v0 {
 
 /// An object of one graph that a camera of the other should have seen, and did not.
 struct MissingObject {
-  NodeIndex node{};          ///< in the graph that holds it
-  bool of_candidate = true;  ///< whether the candidate graph holds it, or the query
-  std::size_t views = 0;     ///< cameras of the other graph that should have shown it
-  double cost = 0.0;         ///< −log10 P(missing | same place)
+  NodeIndex node{};                ///< in the graph that holds it
+  bool of_candidate = true;        ///< whether the candidate graph holds it, or the query
+  std::size_t views = 0;           ///< cameras of the other graph that should have shown it
+  std::size_t measured_views = 0;  ///< of those, the ones whose depth says so; the others' boxes do
+  double cost = 0.0;               ///< −log10 P(missing | same place)
 };
 
 /// Negative evidence: what should have been seen, and was not, speaks against a match. What is out
-/// of view, too far away or hidden behind a nearer box counts nothing; nor does a graph without
-/// views.
+/// of view, too far away or hidden counts nothing; nor does a graph without views. A view with
+/// depth hides what it has not looked through: an object counts where the measured depth lies
+/// beyond it, and not where nothing was measured. In a view without, a nearer detected box hides.
 struct MissingObjects {
   double max_detection_rate = 0.8;  ///< of one view; even a plain object is overlooked at times
   double correlation = 0.5;         ///< share of a view's oversight that the other views repeat
@@ -33,6 +36,10 @@ struct MissingObjects {
   double max_depth = 5.0;           ///< m beyond which nothing need show
   double same_spot = 0.1;           ///< m; an object found this near, plus
   double same_spot_share = 0.5;     ///< this share of its size, is the same by another name
+  double clearance = 0.15;          ///< m that a measured depth lies beyond an object's centre,
+                                    ///< plus half its size, where one looks through its place
+  std::map<ClassId, double> detection_rates;  ///< of one view, of classes for which it is known;
+                                              ///< of others, the object's existence
 
   /// The missing objects of both graphs under a pose, the candidate's first, ascending. O(nodes ·
   /// views).
@@ -62,19 +69,31 @@ struct MissingObjects {
       const auto& node = held.nodes()[i];
       if (matched[i] || !node.position) continue;
       const Eigen::Vector3d position = T_other_held * node.position->template cast<double>();
-      std::size_t views = 0;
+      const double beyond = clearance + 0.5 * static_cast<double>(node.size.norm());
+      std::size_t views = 0, measured_views = 0;
       for (const auto& view : other.views()) {
-        if (view.should_show(position.template cast<Scalar>(), static_cast<Scalar>(image_margin),
-                             static_cast<Scalar>(max_depth))) {
+        const auto point = position.template cast<Scalar>().eval();
+        const auto margin = static_cast<Scalar>(image_margin);
+        const auto far = static_cast<Scalar>(max_depth);
+        if (view.depth) {
+          if (view.sees_through(point, margin, far, beyond)) ++measured_views;
+        } else if (view.should_show(point, margin, far)) {
           ++views;
         }
       }
+      views += measured_views;
       if (views == 0 || found_by_another_name(node, position, other)) continue;
-      const double rate = std::min(max_detection_rate, static_cast<double>(node.existence));
+      const double rate = std::min(max_detection_rate, detection_rate(node));
       const double looks = 1.0 + (static_cast<double>(views) - 1.0) * (1.0 - correlation);
       const double cost = -std::log10(std::max(min_probability, std::pow(1.0 - rate, looks)));
-      missing.push_back({node_index(i), of_candidate, views, cost});
+      missing.push_back({node_index(i), of_candidate, views, measured_views, cost});
     }
+  }
+
+  template <typename Scalar>
+  double detection_rate(const SemanticNode<Scalar>& node) const {
+    const auto known = detection_rates.find(node.label);
+    return known != detection_rates.end() ? known->second : static_cast<double>(node.existence);
   }
 
   /// Whether the other graph has any object where this one should be: detectors rename and split.

@@ -18,10 +18,11 @@ struct CandidateReport {
   KeyframeId id{};
   double similarity = 0.0;  ///< of the retrieval, in [0, 1]
   Verdict verdict = Verdict::no_agreement;
-  std::optional<RelativePose> pose;        ///< the best one, when three objects agree
-  std::vector<RelativePose> other_poses;   ///< distinct ones that fit as well or less, best first
+  std::optional<RelativePose> pose;        ///< the best one that will do, when three objects agree
+  std::vector<RelativePose> other_poses;   ///< the other distinct ones, best first
   std::map<ClassId, std::size_t> matched;  ///< matched objects by class (the query's)
   double threshold = 0.0;                  ///< the score that was asked for
+  std::optional<double> confidence;        ///< P(true), when the decision is calibrated
   bool complete = true;                    ///< false when the search ended with its budget
 
   /// By how much the score passed the threshold; negative when it missed.

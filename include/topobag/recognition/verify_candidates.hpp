@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <topobag/bag/query.hpp>
 #include <topobag/matching/match_graphs.hpp>
+#include <topobag/recognition/calibration.hpp>
 #include <topobag/recognition/recognition.hpp>
 
 namespace topobag {
@@ -17,21 +24,53 @@ inline namespace v0 {
 /// When a match is believed. One set for all data; see the README for how it was chosen.
 struct DecisionOptions {
   double min_score = 2.0;  ///< −log10 of the odds that chance made the match
-  double min_lead = 1.0;    ///< in support, over every other distinct pose in the same candidate
+  double min_lead = 1.0;   ///< in support, over every other distinct pose in the same candidate
+
+  std::optional<Calibration> calibration{};  ///< with it, in place of `min_score`,
+  double false_accept_rate = 0.01;           ///< share of look-ups of other places to bear
+
+  /// The score to ask for. Throws InvalidValue when it follows from a rate outside (0, 1].
+  double threshold() const {
+    return calibration ? calibration->threshold(false_accept_rate).score : min_score;
+  }
 };
 
 namespace detail {
+
+/// Whether `pose` lies within the 95 % region of a pose that the matched objects leave open.
+inline bool within_uncertainty(const RelativePose& open, const RelativePose& pose) {
+  const double chi2_95 = 12.5916;  // of six degrees of freedom
+  const Eigen::Isometry3d between = pose.T_candidate_query * open.T_candidate_query.inverse();
+  const Eigen::AngleAxisd turn(between.linear());
+  Eigen::Matrix<double, 6, 1> xi;
+  xi << between.translation(), turn.angle() * turn.axis();
+  return xi.dot((open.covariance + pose.covariance).ldlt().solve(xi)) <= chi2_95;
+}
+
+/// Whether another pose of the candidate keeps `pose` from being believed: it fits about as well. A
+/// degenerate pose is no answer itself, but says that the answer is elsewhere if it fits better and
+/// does not leave `pose` open.
+inline bool is_rival(const RelativePose& other, const RelativePose& pose, double min_lead) {
+  if (!other.degenerate) return other.support() > pose.support() - min_lead;
+  return other.score() > pose.score() && !within_uncertainty(other, pose);
+}
+
+/// Puts the best pose first that is not degenerate, if it reaches the threshold.
+inline void prefer_determined(std::vector<RelativePose>& poses, double threshold) {
+  const auto determined = std::find_if(poses.begin(), poses.end(),
+                                       [](const RelativePose& pose) { return !pose.degenerate; });
+  if (determined == poses.end() || determined->score() < threshold) return;
+  std::rotate(poses.begin(), determined, determined + 1);
+}
 
 inline Verdict judge_candidate(const CandidateReport& report, const DecisionOptions& options) {
   if (!report.pose) return Verdict::no_agreement;
   if (report.pose->degenerate) return Verdict::degenerate;
   if (report.margin() < 0.0) return Verdict::chance;
-  const auto rival = [&](const RelativePose& other) {
-    return !other.degenerate && other.support() > report.pose->support() - options.min_lead;
-  };
-  if (std::any_of(report.other_poses.begin(), report.other_poses.end(), rival))
-    return Verdict::ambiguous;
-  return Verdict::accepted;
+  const bool ambiguous = std::any_of(
+      report.other_poses.begin(), report.other_poses.end(),
+      [&](const RelativePose& other) { return is_rival(other, *report.pose, options.min_lead); });
+  return ambiguous ? Verdict::ambiguous : Verdict::accepted;
 }
 
 }  // namespace detail
@@ -50,21 +89,26 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
   Recognition recognition;
   recognition.usable = query.is_matchable();
   if (!recognition.usable) return recognition;
+  const double threshold = decision.threshold();
   for (const Candidate& candidate : candidates) {
     const auto graph = bag.find(candidate.id);
     if (!graph) continue;
     CandidateReport report;
     report.id = candidate.id;
     report.similarity = candidate.score;
-    report.threshold = decision.min_score;
+    report.threshold = threshold;
     GraphMatch match = match_graphs(*graph, query, matching);
     report.complete = match.complete;
+    detail::prefer_determined(match.poses, threshold);
     if (!match.poses.empty()) {
       report.pose = std::move(match.poses.front());
       report.other_poses.assign(std::make_move_iterator(match.poses.begin() + 1),
                                 std::make_move_iterator(match.poses.end()));
       for (const Correspondence& pair : report.pose->inliers)
         ++report.matched[query.node(pair.query).label];
+      if (decision.calibration) {
+        report.confidence = decision.calibration->probability(report.pose->score());
+      }
     }
     report.verdict = detail::judge_candidate(report, decision);
     recognition.candidates.push_back(std::move(report));

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <topobag/graph/topology_graph.hpp>
+#include <topobag/recognition/changes.hpp>
+#include <topobag/recognition/explanation.hpp>
+#include <topobag/recognition/relocalizer.hpp>
+#include <topobag/sensing/node_noise.hpp>
+#include <topobag/types/class_catalog.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+namespace detail {
+
+inline std::string class_name(const ClassCatalog& catalog, ClassId label) {
+  return catalog.contains(label) ? catalog.name(label) : "class " + std::to_string(value(label));
+}
+
+/// The stages in the order of `judge_candidate`; `best_margin` is the accepted candidate's.
+inline std::vector<ExplainedStage> stages_of(const CandidateReport& report,
+                                             const RecognitionOptions& options,
+                                             std::optional<double> best_margin) {
+  const double agreeing = report.pose ? static_cast<double>(report.pose->inliers.size()) : 0.0;
+  std::vector<ExplainedStage> stages{
+      {"objects that agree", report.pose.has_value(), agreeing, 3.0, true, {}}};
+  if (!report.pose) return stages;
+  const RelativePose& pose = *report.pose;
+  const MatchOptions& matching = options.matching;
+  const double deviation = pose.rotation_deviation();
+  stages.push_back({"spread off a line", pose.spread >= matching.min_spread, pose.spread,
+                    matching.min_spread, true, " m"});
+  stages.push_back({"deviation of the rotation", deviation <= matching.max_rotation_deviation,
+                    deviation, matching.max_rotation_deviation, false, " rad"});
+  stages.push_back({"score", report.margin() >= 0.0, pose.score(), report.threshold, true, {}});
+  const double min_lead = options.decision.min_lead;
+  for (const RelativePose& other : report.other_poses) {
+    const bool rival = is_rival(other, pose, min_lead);
+    if (!rival && other.degenerate) continue;
+    stages.push_back({other.degenerate ? "lead over a degenerate pose" : "lead over the next pose",
+                      !rival,
+                      pose.score() - other.score(),
+                      other.degenerate ? 0.0 : min_lead,
+                      true,
+                      {}});
+    break;  // they are sorted: this one is the nearest
+  }
+  if (best_margin && (report.verdict == Verdict::accepted || report.verdict == Verdict::outdone)) {
+    stages.push_back({"score over the threshold, of all candidates",
+                      report.verdict == Verdict::accepted,
+                      report.margin(),
+                      *best_margin,
+                      true,
+                      {}});
+  }
+  return stages;
+}
+
+}  // namespace detail
+
+/// The reasons behind one candidate's verdict.
+/// @param options      those of the look-up
+/// @param best_margin  the accepted candidate's, when one was accepted
+template <typename Scalar>
+CandidateExplanation explain_candidate(const CandidateReport& report,
+                                       const TopologyGraph<Scalar>& candidate,
+                                       const TopologyGraph<Scalar>& query,
+                                       const ClassCatalog& catalog,
+                                       const RecognitionOptions& options = {},
+                                       std::optional<double> best_margin = std::nullopt) {
+  CandidateExplanation explanation;
+  explanation.id = report.id;
+  explanation.verdict = report.verdict;
+  explanation.similarity = report.similarity;
+  explanation.confidence = report.confidence;
+  explanation.stages = detail::stages_of(report, options, best_margin);
+  if (!report.pose) return explanation;
+  const RelativePose& pose = *report.pose;
+  const auto name = [&](const auto& node) { return detail::class_name(catalog, node.label); };
+  for (const Correspondence& pair : pose.inliers) {
+    const auto& there = candidate.node(pair.candidate);
+    const auto& here = query.node(pair.query);
+    const PointPair points{there.position->template cast<double>(),
+                           here.position->template cast<double>(), position_covariance(there),
+                           position_covariance(here)};
+    explanation.matched.push_back({pair.candidate, pair.query, name(there), name(here),
+                                   points.residual(pose.T_candidate_query).norm(),
+                                   std::sqrt(points.squared_deviation(pose.T_candidate_query))});
+  }
+  for (const MissingObject& missing : pose.missing) {
+    const auto& node = (missing.of_candidate ? candidate : query).node(missing.node);
+    const Eigen::Vector3d position = node.position->template cast<double>();
+    explanation.missing.push_back(
+        {missing.node, missing.of_candidate, name(node),
+         missing.of_candidate ? position : pose.T_candidate_query * position, missing.views,
+         missing.measured_views, missing.cost});
+  }
+  if (report.verdict == Verdict::accepted || report.verdict == Verdict::outdone) {
+    ChangeOptions changes;
+    changes.classes = options.matching.consistency.classes;
+    for (const ObjectChange& change : what_changed(candidate, query, pose, changes)) {
+      explanation.changes.push_back({change, detail::class_name(catalog, change.label)});
+    }
+  }
+  return explanation;
+}
+
+/// Why `query` was or was not recognised: for every candidate the stages it passed and failed, with
+/// numbers and objects by name.
+///
+/// @param bag      gives the candidates' graphs by `find`; one that is gone since is passed over
+/// @param query    the graph that was looked up
+/// @param options  those of the look-up
+/// O(candidates · n · k).
+template <typename Bag>
+Explanation explain(const Recognition& recognition, const Bag& bag,
+                    const typename Bag::Graph& query, const ClassCatalog& catalog,
+                    const RecognitionOptions& options = {}) {
+  Explanation explanation;
+  explanation.objects = query.size();
+  explanation.usable = recognition.usable;
+  const std::optional<double> best_margin =
+      recognition ? std::make_optional(recognition.accepted->margin()) : std::nullopt;
+  for (const CandidateReport& report : recognition.candidates) {
+    const auto candidate = bag.find(report.id);
+    if (!candidate) continue;
+    explanation.candidates.push_back(
+        explain_candidate(report, *candidate, query, catalog, options, best_margin));
+  }
+  return explanation;
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <iomanip>
+#include <ios>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <topobag/recognition/changes.hpp>
+#include <topobag/recognition/verdict.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// One thing that was asked of a candidate.
+struct ExplainedStage {
+  std::string name;
+  bool passed = false;
+  double value = 0.0;    ///< what the candidate has
+  double asked = 0.0;    ///< what it should have
+  bool at_least = true;  ///< or at most
+  std::string unit{};    ///< of both
+
+  /// By how much the threshold was missed, in `unit`; not positive when it was reached.
+  double missed_by() const noexcept { return at_least ? asked - value : value - asked; }
+};
+
+/// Two objects taken for one.
+struct ExplainedMatch {
+  NodeIndex candidate{};
+  NodeIndex query{};
+  std::string candidate_class;
+  std::string query_class;
+  double distance = 0.0;    ///< under the pose, m
+  double deviations = 0.0;  ///< the same in standard deviations
+};
+
+/// An object that was expected and is missing.
+struct ExplainedMissing {
+  NodeIndex node{};
+  bool of_candidate = true;  ///< whether the candidate holds it, or the query
+  std::string class_name;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the candidate's frame, m
+  std::size_t views = 0;           ///< cameras of the other graph that should have shown it
+  std::size_t measured_views = 0;  ///< of those, the ones whose measured depth says so
+  double cost = 0.0;               ///< what the score loses
+};
+
+/// What changed, with the class by name.
+struct ExplainedChange {
+  ObjectChange change;
+  std::string class_name;
+};
+
+/// Why one candidate was or was not accepted.
+struct CandidateExplanation {
+  KeyframeId id{};
+  Verdict verdict = Verdict::no_agreement;
+  double similarity = 0.0;              ///< of the retrieval
+  std::optional<double> confidence;     ///< P(true), when the decision is calibrated
+  std::vector<ExplainedStage> stages;   ///< in the order in which they are asked
+  std::vector<ExplainedMatch> matched;  ///< under the pose that was judged
+  std::vector<ExplainedMissing> missing;
+  std::vector<ExplainedChange> changes;  ///< of a candidate that passed every stage
+
+  /// The threshold that decided against it; null when all were reached.
+  const ExplainedStage* failed() const noexcept {
+    const auto stage = std::find_if(stages.begin(), stages.end(),
+                                    [](const ExplainedStage& s) { return !s.passed; });
+    return stage == stages.end() ? nullptr : &*stage;
+  }
+};
+
+/// Why a query was or was not recognised.
+struct Explanation {
+  std::size_t objects = 0;                       ///< of the query
+  bool usable = false;                           ///< three of them have a position
+  std::vector<CandidateExplanation> candidates;  ///< best first
+};
+
+inline std::string to_string(const CandidateExplanation& candidate) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(2) << "key frame " << value(candidate.id) << ": "
+      << to_string(candidate.verdict) << " (similarity " << candidate.similarity;
+  if (candidate.confidence) out << ", P(true) " << std::setprecision(4) << *candidate.confidence;
+  out << ")\n" << std::setprecision(2);
+  for (const ExplainedStage& stage : candidate.stages) {
+    out << "  " << (stage.passed ? "passed" : "failed") << "  " << stage.name << ": " << stage.value
+        << stage.unit << " of " << (stage.at_least ? "at least " : "at most ") << stage.asked
+        << stage.unit;
+    if (!stage.passed) out << ", missed by " << stage.missed_by() << stage.unit;
+    out << '\n';
+  }
+  for (const ExplainedMatch& match : candidate.matched) {
+    out << "  matched " << match.candidate_class;
+    if (match.query_class != match.candidate_class) out << " as " << match.query_class;
+    out << ", off by " << match.distance << " m (" << match.deviations << " deviations)\n";
+  }
+  for (const ExplainedMissing& missing : candidate.missing) {
+    out << "  missing " << missing.class_name << " of the "
+        << (missing.of_candidate ? "candidate" : "query") << ", expected in " << missing.views
+        << (missing.views == 1 ? " view" : " views") << " ("
+        << (missing.measured_views > 0 ? "measured depth" : "detected boxes")
+        << " hide nothing), costs " << missing.cost << '\n';
+  }
+  for (const ExplainedChange& explained : candidate.changes) {
+    const ObjectChange& change = explained.change;
+    out << "  " << to_string(change.kind) << ' ' << explained.class_name;
+    if (change.before) out << " from (" << change.before->transpose() << ")";
+    if (change.after) out << " to (" << change.after->transpose() << ")";
+    out << " m\n";
+  }
+  return out.str();
+}
+
+/// For a reader: a block for each candidate.
+inline std::string to_string(const Explanation& explanation) {
+  std::string text = std::to_string(explanation.objects) + " objects";
+  if (!explanation.usable) return text + ": a pose takes three with a position\n";
+  if (explanation.candidates.empty()) return text + ": there is nothing to compare with\n";
+  text += '\n';
+  for (const CandidateExplanation& candidate : explanation.candidates) text += to_string(candidate);
+  return text;
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <topobag/error.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// A share of look-ups in [0, 1].
+struct FalseAcceptRate {
+  double rate = 1.0;
+  bool extrapolated = true;  ///< beyond what was seen
+};
+
+struct ScoreThreshold {
+  double score = 0.0;
+  bool extrapolated = true;  ///< beyond what was seen
+};
+
+/// The best scores of look-ups that are known to be false, and what they say of the next one.
+///
+/// Within the scores seen, the rate of a threshold is the conformal (1 + those at or above it) /
+/// (1 + all): of a further look-up of the same kind it is the probability to be accepted, or more.
+/// Beyond them the scores' upper tail goes on exponentially, as that of a −log10 of a probability
+/// does: the mean excess over the least of the `tail_share` best gives its slope, which is never
+/// taken for steeper than the chance model's own, 10^−score.
+class FalseScores {
+ public:
+  explicit FalseScores(double tail_share = 0.1) : tail_share_(tail_share) {}
+
+  /// @param score  the least threshold that would have refused the look-up; nothing when every one
+  /// does. Throws InvalidValue when it is not finite. O(n).
+  void add(std::optional<double> score) {
+    if (score && !std::isfinite(*score)) throw InvalidValue("a false score must be finite");
+    ++look_ups_;
+    if (!score) return;
+    scores_.insert(std::upper_bound(scores_.begin(), scores_.end(), *score, std::greater<>()),
+                   *score);
+  }
+
+  /// All look-ups, the ones without a score too.
+  std::size_t size() const noexcept { return look_ups_; }
+
+  /// The share of false look-ups that a threshold accepts. Falls, never to 0. O(n).
+  FalseAcceptRate rate(double threshold) const {
+    const auto above =
+        std::upper_bound(scores_.begin(), scores_.end(), threshold, std::greater<>());
+    const auto accepted = static_cast<double>(above - scores_.begin());
+    if (accepted > 0.0) return {(accepted + 1.0) / (count() + 1.0), false};
+    const Tail tail = upper_tail();
+    const double beyond = tail.share * std::exp(-(threshold - tail.start) / tail.mean_excess);
+    return {std::min(beyond, 1.0 / (count() + 1.0)), true};
+  }
+
+  /// The least threshold that accepts no larger share of false look-ups than `rate`. Extrapolated
+  /// for a rate below 1 / (look-ups + 1). Throws InvalidValue unless 0 < rate <= 1. O(n).
+  ScoreThreshold threshold(double rate) const {
+    if (!(rate > 0.0 && rate <= 1.0)) {
+      throw InvalidValue("a false-accept rate must be in (0, 1]");
+    }
+    const double allowed = std::floor(rate * (count() + 1.0)) - 1.0;
+    if (allowed < 0.0) {
+      const Tail tail = upper_tail();
+      const double beyond = tail.start + tail.mean_excess * std::log(tail.share / rate);
+      return {scores_.empty() ? beyond : std::max(beyond, just_above(scores_.front())), true};
+    }
+    const auto rank = static_cast<std::size_t>(allowed);
+    if (rank < scores_.size()) return {just_above(scores_[rank]), false};
+    return {scores_.empty() ? 0.0 : std::min(0.0, scores_.back()), false};
+  }
+
+ private:
+  struct Tail {
+    double start;        // score
+    double share;        // of the look-ups above it
+    double mean_excess;  // score
+  };
+
+  double count() const { return static_cast<double>(look_ups_); }
+
+  static double just_above(double score) {
+    return std::nextafter(score, std::numeric_limits<double>::infinity());
+  }
+
+  Tail upper_tail() const {
+    const double least_excess = 1.0 / std::log(10.0);
+    if (scores_.empty()) return {0.0, 1.0 / (count() + 1.0), least_excess};
+    const auto wanted = static_cast<std::size_t>(std::ceil(tail_share_ * count()));
+    const std::size_t size = std::min(scores_.size(), std::max<std::size_t>(wanted, 10));
+    const double start = scores_[size - 1];
+    double excess = 0.0;
+    for (std::size_t i = 0; i < size; ++i) excess += scores_[i] - start;
+    return {start, (static_cast<double>(size) + 1.0) / (count() + 1.0),
+            std::max(least_excess, excess / static_cast<double>(size))};
+  }
+
+  double tail_share_;
+  std::size_t look_ups_ = 0;
+  std::vector<double> scores_;  // falling
+};
+
+}  // namespace v0
+}  // namespace topobag
