@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
+
 #include <topobag/graph/view.hpp>
 
 #include "catch.hpp"
@@ -49,4 +51,21 @@ TEST_CASE("an occluder hides what lies well behind it", "[graph]") {
   View<> beside = plain_view();
   beside.occluders.push_back({{60, 60, 80, 80}, 1.0});
   CHECK(beside.should_show({0, 0, 2}, 0.0, 5.0));
+}
+
+TEST_CASE("a camera looks through what lies before the depth it measured", "[graph]") {
+  View<> view = plain_view();
+  CHECK_FALSE(view.sees_through({0, 0, 2}, 10.0, 5.0, 0.2));  // without depth
+  const auto wall = [](const Eigen::Vector2d& pixel) {
+    return pixel.x() < 60.0 ? std::make_optional(3.0) : std::nullopt;
+  };
+  view.depth.emplace(wall, 101, 101);
+  view.occluders.push_back({{40, 40, 60, 60}, 0.0});  // a box does not undo a measurement
+  CHECK(view.sees_through({0, 0, 2}, 10.0, 5.0, 0.2));
+  CHECK(view.sees_through({0, 0, 2.79}, 10.0, 5.0, 0.2));
+  CHECK_FALSE(view.sees_through({0, 0, 2.81}, 10.0, 5.0, 0.2));
+  CHECK_FALSE(view.sees_through({0, 0, 4}, 10.0, 5.0, 0.2));     // behind the wall
+  CHECK_FALSE(view.sees_through({0.4, 0, 2}, 10.0, 5.0, 0.2));   // nothing measured at 70 px
+  CHECK_FALSE(view.sees_through({-0.9, 0, 2}, 10.0, 5.0, 0.2));  // too near the border
+  CHECK_FALSE(view.sees_through({0, 0, 2}, 10.0, 1.9, 0.2));     // too far away
 }

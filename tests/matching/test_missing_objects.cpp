@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -113,4 +114,40 @@ TEST_CASE("missing objects are looked for where the pose puts them, both ways", 
 
   const Eigen::Isometry3d far(Eigen::Translation3d(0, 0, -20));
   CHECK(MissingObjects{}.find(candidate, query, {}, far).empty());
+}
+
+TEST_CASE("with depth an object is missing where the camera looked through its place",
+          "[matching]") {
+  const auto with_depth = [](std::optional<double> metres) {
+    View<> view = camera_view();
+    view.depth.emplace([=](const Eigen::Vector2d&) { return metres; }, 640, 480);
+    return look_for(ahead, {view});
+  };
+  // Clearance: 0.15 m and half the object's diagonal.
+  const double beyond = 3.0 + 0.15 + 0.5 * std::sqrt(0.08);
+  const auto missing = with_depth(beyond + 0.01);
+  REQUIRE(missing.size() == 1);
+  CHECK(missing[0].views == 1);
+  CHECK(missing[0].measured_views == 1);
+  CHECK(with_depth(beyond - 0.01).empty());  // a surface where it should be
+  CHECK(with_depth(1.0).empty());            // hidden
+  CHECK(with_depth(std::nullopt).empty());   // not measured
+
+  // Beside a view without depth, which goes by boxes.
+  View<> measured = camera_view();
+  measured.depth.emplace([](const Eigen::Vector2d&) { return std::make_optional(4.0); }, 640, 480);
+  const auto both = look_for(ahead, {camera_view(), measured});
+  REQUIRE(both.size() == 1);
+  CHECK(both[0].views == 2);
+  CHECK(both[0].measured_views == 1);
+}
+
+TEST_CASE("a class is missed at its own rate where that is known", "[matching]") {
+  const TopologyGraph<> candidate({ahead});
+  const TopologyGraph<> query({}, {}, {camera_view()});
+  MissingObjects missing;
+  missing.detection_rates[ahead.label] = 0.25;
+  const auto found = missing.find(candidate, query, {}, Eigen::Isometry3d::Identity());
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].cost == Approx(-std::log10(0.75)));
 }

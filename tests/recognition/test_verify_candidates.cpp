@@ -173,3 +173,124 @@ TEST_CASE("the matched objects, counted by class, are the inliers", "[recognitio
     }
   }
 }
+
+namespace {
+
+RelativePose pose_with(double score, bool degenerate, const Eigen::Isometry3d& T = origin) {
+  RelativePose pose;
+  pose.significance = score;
+  pose.degenerate = degenerate;
+  pose.T_candidate_query = T;
+  pose.covariance = 1e-4 * Eigen::Matrix<double, 6, 6>::Identity();
+  return pose;
+}
+
+/// The verdict on a candidate with these poses, best first, at a threshold of 1 and a lead of 1.
+Verdict verdict_on(std::vector<RelativePose> poses) {
+  DecisionOptions options;
+  options.min_score = 1.0;
+  detail::prefer_determined(poses, options.min_score);
+  CandidateReport report;
+  report.threshold = options.min_score;
+  report.pose = poses.front();
+  report.other_poses.assign(poses.begin() + 1, poses.end());
+  return detail::judge_candidate(report, options);
+}
+
+const Eigen::Isometry3d aside(Eigen::Translation3d(1, 0, 0));
+
+}  // namespace
+
+TEST_CASE("a good pose is not lost behind a degenerate one that leaves it open", "[recognition]") {
+  // A line of objects along x fits best, turned about it by any angle; one of these is the pose
+  // that more spread objects give.
+  const Eigen::Isometry3d turned(Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitX()));
+  RelativePose line = pose_with(3.0, true);
+  line.covariance(3, 3) = 1.0;  // rad²
+  CHECK(verdict_on({line, pose_with(2.0, false, turned)}) == Verdict::accepted);
+  CHECK(verdict_on({line, pose_with(0.5, false, turned)}) == Verdict::degenerate);
+  CHECK(verdict_on({line, pose_with(2.0, true, turned)}) == Verdict::degenerate);
+  CHECK(verdict_on({line}) == Verdict::degenerate);
+}
+
+TEST_CASE("a degenerate pose elsewhere that fits better makes a match ambiguous", "[recognition]") {
+  CHECK(verdict_on({pose_with(3.0, true), pose_with(2.0, false, aside)}) == Verdict::ambiguous);
+  // One that fits less does not, unlike one that is not degenerate.
+  CHECK(verdict_on({pose_with(2.0, false, aside), pose_with(1.9, true)}) == Verdict::accepted);
+  CHECK(verdict_on({pose_with(2.0, false, aside), pose_with(1.9, false)}) == Verdict::ambiguous);
+  CHECK(verdict_on({pose_with(3.5, false, aside), pose_with(2.4, false)}) == Verdict::accepted);
+}
+
+namespace {
+
+/// The best poses of a graph matched with itself, and what is decided.
+void check_two_fold(const TopologyGraph<>& room, const Eigen::Isometry3d& T_symmetry) {
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{0}, room);
+  const Recognition recognition = verify_candidates(bag, room, {{KeyframeId{0}, 1.0}});
+  CHECK_FALSE(recognition);
+  REQUIRE(recognition.candidates.size() == 1);
+  const CandidateReport& report = recognition.candidates[0];
+  CHECK(report.verdict == Verdict::ambiguous);
+  CHECK(report.margin() > 0.0);  // it is the symmetry that keeps it from being accepted
+  REQUIRE_FALSE(report.other_poses.empty());
+  const RelativePose &one = *report.pose, &other = report.other_poses.front();
+  CHECK(one.inliers.size() == room.size());
+  CHECK(other.inliers.size() == room.size());
+  CHECK(other.score() == Approx(one.score()).margin(1e-6));
+  for (const Eigen::Isometry3d& expected : {origin, T_symmetry}) {
+    const auto is_it = [&](const RelativePose& pose) {
+      return pose.T_candidate_query.isApprox(expected, 1e-6);
+    };
+    CHECK((is_it(one) || is_it(other)));
+  }
+}
+
+SemanticNode<> object(int label, const Eigen::Vector3d& position) {
+  SemanticNode<> node;
+  node.label = ClassId{label};
+  node.position = position;
+  node.size = {0.2, 0.2};
+  node.covariance = 4e-4 * Eigen::Matrix3d::Identity();
+  return node;
+}
+
+}  // namespace
+
+TEST_CASE("a room turned on itself gives both poses, equally good, and is not accepted",
+          "[recognition]") {
+  // Every object has a twin, half a turn about the vertical through (0, ·, 4) away.
+  const Eigen::Isometry3d T_symmetry = Eigen::Translation3d(0, 0, 4) *
+                                       Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()) *
+                                       Eigen::Translation3d(0, 0, -4);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> metres(-1.5, 1.5);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<SemanticNode<>> nodes;
+    for (int i = 0; i < 5; ++i) {
+      const double x = metres(random), y = metres(random), z = metres(random);
+      nodes.push_back(object(i, {x, y, 4.0 + z}));
+      nodes.push_back(object(i, T_symmetry * *nodes.back().position));
+    }
+    check_two_fold(TopologyGraph<>(std::move(nodes)), T_symmetry);
+  }
+}
+
+TEST_CASE("a table mirrored on itself gives both poses, equally good, and is not accepted",
+          "[recognition]") {
+  // In the plane y = 1 the mirror x → −x is half a turn about the z axis through it.
+  const Eigen::Isometry3d T_symmetry = Eigen::Translation3d(0, 1, 0) *
+                                       Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()) *
+                                       Eigen::Translation3d(0, -1, 0);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> metres(0.3, 1.5);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<SemanticNode<>> nodes;
+    for (int i = 0; i < 5; ++i) {
+      const double x = metres(random), z = metres(random);
+      nodes.push_back(object(i, {x, 1.0, 2.0 + z}));
+      nodes.push_back(object(i, {-x, 1.0, 2.0 + z}));
+    }
+    check_two_fold(TopologyGraph<>(std::move(nodes)), T_symmetry);
+  }
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <topobag/recognition/calibrate.hpp>
+
+#include "catch.hpp"
+#include "synthetic_room.hpp"
+
+using namespace topobag;
+
+namespace {
+
+std::vector<KeyframeId> fill(Relocalizer<>& relocalizer, unsigned rooms) {
+  std::mt19937 random(1);
+  std::vector<KeyframeId> ids;
+  for (unsigned i = 0; i < rooms; ++i) {
+    ids.push_back(KeyframeId{i});
+    relocalizer.map().add(ids.back(), SyntheticRoom(i, 8, 4).seen_from(random_camera(random)));
+  }
+  return ids;
+}
+
+bool differ(KeyframeId a, KeyframeId b) { return a != b; }
+
+}  // namespace
+
+TEST_CASE("a map is calibrated by its own permuted layouts", "[recognition]") {
+  Relocalizer<> relocalizer;
+  const auto ids = fill(relocalizer, 6);
+  CalibrateOptions options;
+  options.null_look_ups = 150;
+  const Calibration calibration = calibrate(relocalizer, ids, {}, options);
+  CHECK(calibration.source() == CalibrationSource::null_model);
+  CHECK(calibration.negatives() == 0);
+  CHECK(calibration.look_ups() == 150);
+  const Calibration again = calibrate(relocalizer, ids, {}, options);
+  for (const double rate : {0.1, 0.02, 1e-4}) {
+    CHECK(again.threshold(rate).score == calibration.threshold(rate).score);
+  }
+}
+
+TEST_CASE("certain negatives take the null model's place once there are enough", "[recognition]") {
+  Relocalizer<> relocalizer;
+  const auto ids = fill(relocalizer, 12);
+  CalibrateOptions options;
+  options.null_look_ups = 20;
+  options.calibration.min_negatives = 13;
+  const Calibration few = calibrate(relocalizer, ids, differ, options);
+  CHECK(few.negatives() == 12);
+  CHECK(few.source() == CalibrationSource::null_model);
+  CHECK(few.look_ups() == 20);
+  options.calibration.min_negatives = 12;
+  const Calibration enough = calibrate(relocalizer, ids, differ, options);
+  CHECK(enough.source() == CalibrationSource::certain_negatives);
+  CHECK(enough.look_ups() == 12);
+  // Without an other place there is nothing to look among.
+  CHECK(calibrate(
+            relocalizer, ids, [](KeyframeId, KeyframeId) { return false; }, options)
+            .negatives() == 0);
+}
+
+TEST_CASE("a calibrated decision asks for the score of its rate", "[recognition]") {
+  Relocalizer<> relocalizer;
+  const auto ids = fill(relocalizer, 6);
+  CalibrateOptions calibrating;
+  calibrating.null_look_ups = 150;
+  RecognitionOptions options;
+  options.decision.calibration = calibrate(relocalizer, ids, {}, calibrating);
+  options.decision.false_accept_rate = 0.02;
+  const double threshold = options.decision.calibration->threshold(0.02).score;
+  CHECK(options.decision.threshold() == threshold);
+
+  std::mt19937 random(7);
+  const auto query = SyntheticRoom(3, 8, 4).seen_from(random_camera(random));
+  const Recognition found = relocalizer.localize(query, options);
+  REQUIRE(found);
+  CHECK(found.accepted->id == KeyframeId{3});
+  for (const CandidateReport& report : found.candidates) {
+    CHECK(report.threshold == threshold);
+    REQUIRE(report.confidence.has_value() == report.pose.has_value());
+  }
+  CHECK(*found.accepted->confidence > 0.97);
+  CHECK_FALSE(relocalizer.localize(query).accepted->confidence);
+
+  options.decision.false_accept_rate = 0.0;
+  CHECK_THROWS_AS(relocalizer.localize(query, options), InvalidValue);
+}
+
+TEST_CASE("the rate holds on layouts that were not learnt from", "[recognition]") {
+  Relocalizer<> relocalizer;
+  const auto ids = fill(relocalizer, 8);
+  RecognitionOptions options;
+  options.decision.calibration = calibrate(relocalizer, ids);
+  options.decision.false_accept_rate = 0.05;
+  std::size_t accepted = 0;
+  for (std::uint32_t seed = 100000; seed < 100400; ++seed) {
+    const auto layout = permuted_layout(*relocalizer.map().find(ids[seed % ids.size()]), seed);
+    if (relocalizer.localize(layout, options)) ++accepted;
+  }
+  CHECK(accepted <= 32);  // 20 expected; three standard deviations
+}
+
+TEST_CASE("a false score is that of the match a look-up would accept", "[recognition]") {
+  Relocalizer<> relocalizer;
+  fill(relocalizer, 2);
+  const auto graph = *relocalizer.map().find(KeyframeId{1});
+  const Recognition found = relocalizer.localize(graph, without_threshold(relocalizer.options()));
+  REQUIRE(false_score(found));
+  CHECK(*false_score(found) == found.accepted->pose->score());
+  CHECK_FALSE(false_score(Recognition{}));
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <topobag/recognition/explain.hpp>
+
+#include "catch.hpp"
+#include "matching/layouts.hpp"
+#include "synthetic_room.hpp"
+
+using namespace topobag;
+
+namespace {
+
+const ExplainedStage& stage(const CandidateExplanation& candidate, const std::string& name) {
+  const auto found = std::find_if(candidate.stages.begin(), candidate.stages.end(),
+                                  [&](const ExplainedStage& s) { return s.name == name; });
+  REQUIRE(found != candidate.stages.end());
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
+  std::mt19937 random(1);
+  std::size_t accepted = 0, outdone = 0, refused = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    Relocalizer<> relocalizer;
+    for (unsigned i = 0; i < 6; ++i) {  // the query's room twice, and others
+      relocalizer.map().add(
+          KeyframeId{i},
+          SyntheticRoom(seed + i / 2, 3 + seed % 6, 3).seen_from(random_camera(random)));
+    }
+    const auto query = SyntheticRoom(seed, 3 + seed % 6, 3).seen_from(random_camera(random));
+    const Recognition found = relocalizer.localize(query);
+    const Explanation explanation =
+        explain(found, relocalizer.map(), query, ClassCatalog::coco80(), relocalizer.options());
+    CHECK(explanation.objects == query.size());
+    CHECK(explanation.usable);
+    REQUIRE(explanation.candidates.size() == found.candidates.size());
+    for (std::size_t i = 0; i < found.candidates.size(); ++i) {
+      const CandidateReport& report = found.candidates[i];
+      const CandidateExplanation& candidate = explanation.candidates[i];
+      CAPTURE(seed, to_string(candidate));
+      CHECK(candidate.id == report.id);
+      CHECK(candidate.verdict == report.verdict);
+      CHECK((candidate.failed() == nullptr) == (report.verdict == Verdict::accepted));
+      CHECK(candidate.matched.size() == (report.pose ? report.pose->inliers.size() : 0));
+      for (const ExplainedStage& s : candidate.stages) {
+        if (s.missed_by() > 0.0) CHECK_FALSE(s.passed);
+      }
+      for (const ExplainedMatch& match : candidate.matched) CHECK(match.deviations <= 3.0);
+      switch (report.verdict) {
+        case Verdict::accepted:
+          ++accepted;
+          break;
+        case Verdict::outdone:
+          ++outdone;
+          CHECK(candidate.failed()->name == "score over the threshold, of all candidates");
+          break;
+        case Verdict::no_agreement:
+          CHECK(candidate.failed()->name == "objects that agree");
+          ++refused;
+          break;
+        case Verdict::chance:
+          CHECK(candidate.failed()->name == "score");
+          CHECK(candidate.failed()->missed_by() == Approx(-report.margin()));
+          ++refused;
+          break;
+        case Verdict::ambiguous:
+          CHECK(candidate.failed()->name.find("lead over") == 0);
+          ++refused;
+          break;
+        case Verdict::degenerate:
+          CHECK((candidate.failed()->name == "spread off a line" ||
+                 candidate.failed()->name == "deviation of the rotation"));
+          ++refused;
+          break;
+      }
+    }
+  }
+  CHECK(accepted > 0);
+  CHECK(outdone > 0);
+  CHECK(refused > 0);
+}
+
+TEST_CASE("what was expected and is missing is named, with its place and why", "[recognition]") {
+  const ClassCatalog coco = ClassCatalog::coco80();
+  std::vector<SemanticNode<>> nodes{object_at(value(coco.at("tv")), {-0.6, 0, 3}),
+                                    object_at(value(coco.at("cup")), {0.5, 0.2, 2.5}),
+                                    object_at(value(coco.at("vase")), {0, -0.6, 2.8}),
+                                    object_at(value(coco.at("book")), {0.1, 0.5, 3.2}),
+                                    object_at(999, {-0.2, 0.3, 2.4})};
+  const TopologyGraph<> query(nodes, {}, {[] {
+                                View<> view;
+                                view.camera = {500.0, 500.0, 319.5, 239.5, 640, 480};
+                                return view;
+                              }()});
+  nodes.push_back(object_at(value(coco.at("keyboard")), {0.4, -0.3, 3}));
+  Relocalizer<> relocalizer;
+  relocalizer.map().add(KeyframeId{3}, TopologyGraph<>(nodes));
+  const Recognition found = relocalizer.localize(query);
+  REQUIRE(found);
+  const Explanation explanation = explain(found, relocalizer.map(), query, coco);
+  REQUIRE(explanation.candidates.size() == 1);
+  const CandidateExplanation& candidate = explanation.candidates[0];
+  REQUIRE(candidate.missing.size() == 1);
+  CHECK(candidate.missing[0].class_name == "keyboard");
+  CHECK(candidate.missing[0].of_candidate);
+  CHECK(candidate.missing[0].position == *nodes.back().position);
+  CHECK(candidate.missing[0].measured_views == 0);
+  REQUIRE(candidate.changes.size() == 1);
+  CHECK(candidate.changes[0].class_name == "keyboard");
+  CHECK(candidate.changes[0].change.kind == ChangeKind::gone);
+  CHECK(stage(candidate, "score").value == found.accepted->pose->score());
+  CHECK(to_string(explanation).find("matched class 999") != std::string::npos);
+}
+
+TEST_CASE("a candidate that has left the bag is passed over, an unusable query is said to be",
+          "[recognition]") {
+  Relocalizer<> relocalizer;
+  const auto graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  relocalizer.map().add(KeyframeId{1}, graph);
+  const Recognition found = relocalizer.localize(graph);
+  relocalizer.map().erase(KeyframeId{1});
+  const ClassCatalog coco = ClassCatalog::coco80();
+  CHECK(explain(found, relocalizer.map(), graph, coco).candidates.empty());
+  CHECK_FALSE(explain(Recognition{}, relocalizer.map(), TopologyGraph<>{}, coco).usable);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include <topobag/recognition/explanation.hpp>
+
+#include "catch.hpp"
+
+using namespace topobag;
+
+namespace {
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a threshold is missed from below or from above", "[recognition]") {
+  CHECK(ExplainedStage{"score", false, 1.5, 2.0, true, {}}.missed_by() == 0.5);
+  CHECK(ExplainedStage{"deviation", false, 0.5, 0.25, false, " rad"}.missed_by() == 0.25);
+  CHECK(ExplainedStage{"score", true, 3.0, 2.0, true, {}}.missed_by() == -1.0);
+}
+
+TEST_CASE("the threshold that decided is the first that failed", "[recognition]") {
+  CandidateExplanation candidate;
+  CHECK(candidate.failed() == nullptr);
+  candidate.stages = {
+      {"a", true, 3, 3, true, {}}, {"b", false, 1, 2, true, {}}, {"c", false, 1, 9, true, {}}};
+  REQUIRE(candidate.failed() != nullptr);
+  CHECK(candidate.failed()->name == "b");
+}
+
+TEST_CASE("an explanation in words", "[recognition]") {
+  CandidateExplanation candidate;
+  candidate.id = KeyframeId{42};
+  candidate.verdict = Verdict::chance;
+  candidate.similarity = 0.5;
+  candidate.confidence = 0.75;
+  candidate.stages = {{"objects that agree", true, 4, 3, true, {}},
+                      {"score", false, -0.4, 0.05, true, {}}};
+  candidate.matched = {{node_index(0), node_index(1), "tv", "laptop", 0.04, 1.25}};
+  candidate.missing = {{node_index(3), true, "vase", {0, 0, 3}, 2, 0, 0.3},
+                       {node_index(2), false, "cup", {0, 0, 3}, 1, 1, 0.25}};
+  ObjectChange change;
+  change.before = Eigen::Vector3d(1, 0, 3);
+  candidate.changes = {{change, "vase"}};
+  const std::string text = to_string(Explanation{7, true, {candidate}});
+  CHECK(says(text, "7 objects"));
+  CHECK(says(text, "key frame 42: may well be chance"));
+  CHECK(says(text, "P(true) 0.7500"));
+  CHECK(says(text, "passed  objects that agree"));
+  CHECK(says(text, "failed  score: -0.40 of at least 0.05, missed by 0.45"));
+  CHECK(says(text, "matched tv as laptop, off by 0.04 m"));
+  CHECK(says(text, "missing vase of the candidate, expected in 2 views (detected boxes"));
+  CHECK(says(text, "missing cup of the query, expected in 1 view (measured depth"));
+  CHECK(says(text, "gone vase from"));
+}
+
+TEST_CASE("a query with nothing to say is explained, too", "[recognition]") {
+  CHECK(says(to_string(Explanation{2, false, {}}), "takes three"));
+  CHECK(says(to_string(Explanation{5, true, {}}), "nothing to compare with"));
+}
