@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "look_up.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -45,8 +46,13 @@ topobag::Calibration calibration_of(const topobag::Relocalizer<>& relocalizer,
                                     const std::vector<Keyframe>& other_places) {
   std::vector<topobag::KeyframeId> ids;
   for (std::size_t i = 0; i < run.map.size(); ++i) ids.emplace_back(i);
+  const auto usable =
+      std::count_if(other_places.begin(), other_places.end(),
+                    [](const Keyframe& other) { return other.graph.is_matchable(); });
   topobag::CalibrateOptions options;
-  if (other_places.size() >= options.calibration.min_negatives) options.null_look_ups = 0;
+  if (static_cast<std::size_t>(usable) >= options.calibration.min_negatives) {
+    options.null_look_ups = 0;
+  }
   topobag::Calibration calibration = topobag::calibrate(relocalizer, ids, {}, options);
   const auto open = topobag::without_threshold(relocalizer.options());
   for (const Keyframe& other : other_places) {
