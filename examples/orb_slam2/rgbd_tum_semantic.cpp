@@ -2,11 +2,12 @@
 // ORB-SLAM2 with a bag of topology graphs beside it, on an RGB-D sequence of the TUM benchmark.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -227,11 +228,11 @@ class Run {
     slam_.ActivateLocalizationMode();
     const auto frames =
         read_associations(arguments_.kidnap_sequence, arguments_.kidnap_associations);
-    const std::size_t offered_before = semantic_ ? semantic_->offered_places().size() : 0;
     std::ofstream file(arguments_.out + "/relocalizations.csv");
     file << "stamp,relocalized,error_m,error_deg\n";
     std::size_t shown = 0, found = 0;
     std::vector<topobag::PoseError> errors;
+    std::set<double> relocalized;
     std::vector<double> ms;
     for (std::size_t i = 0; i < frames.size(); i += arguments_.kidnap_every) {
       const Images images = read_images(frames[i]);
@@ -252,14 +253,12 @@ class Run {
         continue;
       }
       ++found;
+      relocalized.insert(images.stamp);
       errors.push_back(topobag::pose_error(*truth, alignment_ * world_camera(Tcw)));
       file << "1," << errors.back().translation_m << ',' << errors.back().rotation_deg << '\n';
     }
-    const auto wrong = std::count_if(errors.begin(), errors.end(), [](const auto& error) {
-      return topobag::judge(error) != topobag::PoseVerdict::correct;
-    });
-    std::cout << "\nkidnapped: " << found << " of " << shown << " re-localized, " << wrong
-              << " of them not within 0.3 m and 15 degrees\n";
+    std::cout << "\nkidnapped: " << found << " of " << shown << " re-localized, "
+              << wrong_of(errors) << " of them not within 0.3 m and 15 degrees\n";
     if (const auto m = topobag::translation_statistics(errors)) {
       const auto degrees = topobag::rotation_statistics(errors);
       std::cout << "error: median " << m->median << " m, " << degrees->median
@@ -267,16 +266,7 @@ class Run {
     }
     print_times("kidnapped: whole frame", ms);
     if (!semantic_) return;
-    std::size_t with_verified = 0, with_guess = 0, by_place = 0;
-    const auto offered = semantic_->offered_places();
-    for (std::size_t i = offered_before; i < offered.size(); ++i) {
-      with_verified += offered[i].verified > 0 ? 1 : 0;
-      with_guess += offered[i].verified == 0 && offered[i].guesses > 0 ? 1 : 0;
-      by_place += offered[i].accepted >= 0 ? 1 : 0;
-    }
-    std::cout << "frames with a verified place: " << with_verified
-              << ", with guesses alone: " << with_guess
-              << ", re-localized from a place: " << by_place << '\n';
+    report_places(relocalized);
     for (const auto& [name, times] : semantic_->times()) {
       if (name.rfind("tracking, lost", 0) == 0) print_times(name, times);
     }
@@ -290,6 +280,37 @@ class Run {
   }
 
  private:
+  /// What the objects alone make of the frames shown, and together with the host.
+  void report_places(const std::set<double>& relocalized) {
+    std::size_t verified = 0, by_place = 0, guesses = 0;
+    std::set<double> found = relocalized;
+    std::vector<topobag::PoseError> errors;
+    for (const OfferedPlaces& offered : semantic_->offered_places()) {
+      const auto truth = true_pose(kidnap_truth_, offered.stamp);
+      by_place += offered.accepted >= 0 ? 1 : 0;
+      guesses += offered.verified == 0 && offered.guesses > 0 ? 1 : 0;
+      if (!truth || !offered.T_world_camera) continue;
+      ++verified;
+      found.insert(offered.stamp);
+      errors.push_back(topobag::pose_error(*truth, alignment_ * *offered.T_world_camera));
+    }
+    std::cout << "by objects alone: " << verified << " verified, " << wrong_of(errors)
+              << " of them not within 0.3 m and 15 degrees; by objects or the host: "
+              << found.size() << "; frames with guesses alone: " << guesses
+              << "; the host took the objects' pose in " << by_place << '\n';
+    if (const auto m = topobag::translation_statistics(errors)) {
+      const auto degrees = topobag::rotation_statistics(errors);
+      std::cout << "error of the objects' poses: median " << m->median << " m, " << degrees->median
+                << " degrees; largest " << m->max << " m, " << degrees->max << " degrees\n";
+    }
+  }
+
+  static std::ptrdiff_t wrong_of(const std::vector<topobag::PoseError>& errors) {
+    return std::count_if(errors.begin(), errors.end(), [](const auto& error) {
+      return topobag::judge(error) != topobag::PoseVerdict::correct;
+    });
+  }
+
   void report_map(const topobag::Trajectory& truth) {
     const auto counts = semantic_->counts();
     std::cout << "key frames: " << counts.pushed << " made, " << counts.processed

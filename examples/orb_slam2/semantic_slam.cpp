@@ -70,6 +70,7 @@ void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>
   OfferedPlaces offered;
   offered.stamp = frame->mTimeStamp;
   for (const auto& place : places_) ++(place.verified ? offered.verified : offered.guesses);
+  if (offered.verified > 0) offered.T_world_camera = places_.front().T_world_query;
   const std::lock_guard<std::mutex> lock(mutex_);
   offered_places_.push_back(offered);
 }

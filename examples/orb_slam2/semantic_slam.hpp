@@ -56,6 +56,7 @@ struct OfferedPlaces {
   std::size_t verified = 0;
   std::size_t guesses = 0;
   int accepted = -1;  ///< which of them stood the host's test; -1 = none, or it needed none
+  std::optional<Eigen::Isometry3d> T_world_camera;  ///< by the best one, when it is verified
 };
 
 /// The semantic topology graph thread and the bag beside an ORB-SLAM2.
