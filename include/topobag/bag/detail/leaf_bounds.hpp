@@ -112,7 +112,7 @@ class LeafBounds {
   static constexpr std::uint32_t full = 255;
   static constexpr std::uint32_t no_ids = std::numeric_limits<std::uint32_t>::max();
   /// A word in more than one leaf of so many is dense: as fast as the numbers or faster.
-  static constexpr std::size_t dense_from = 8;
+  static constexpr std::size_t dense_from = 20;
 
   struct Column {
     std::uint32_t word;
