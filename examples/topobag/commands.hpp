@@ -9,8 +9,10 @@ namespace program {
 // topobag::Error on bad input and prints its result to stdout at the very end, so that a failure
 // leaves no half of it there.
 void add_evaluate_command(CLI::App& app);
+void add_info_command(CLI::App& app);
 void add_localize_command(CLI::App& app);
 void add_loops_command(CLI::App& app);
+void add_map_command(CLI::App& app);
 void add_nodes_command(CLI::App& app);
 void add_similarity_command(CLI::App& app);
 void add_trajectory_command(CLI::App& app);

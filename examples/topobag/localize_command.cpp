@@ -10,6 +10,7 @@
 #include "match_svg.hpp"
 #include "recognition_options.hpp"
 #include "report/recognition_page.hpp"
+#include "saved_map.hpp"
 #include "stopwatch.hpp"
 
 namespace program {
@@ -36,7 +37,7 @@ void localize(const LocalizeArguments& arguments) {
 
   RecognitionRun run{arguments.map,
                      arguments.query,
-                     read_keyframes(arguments.map, map_options),
+                     read_map(arguments.map, map_options),
                      read_keyframes(arguments.query, query_options),
                      {}};
   topobag::Relocalizer<> relocalizer(table_recognition_options());
@@ -61,7 +62,9 @@ void add_localize_command(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("localize", "Looks the key frames of one node table up in another");
   const auto arguments = std::make_shared<LocalizeArguments>();
-  command.add_option("--map", arguments->map, "Table of the map: MAP.frames.csv, MAP.nodes.csv")
+  command
+      .add_option("--map", arguments->map,
+                  "Table of the map (MAP.frames.csv, MAP.nodes.csv), or what `map` made of one")
       ->required();
   command.add_option("--query", arguments->query, "Table of the key frames to look up")->required();
   add_recognition_options(command, arguments->recognition);

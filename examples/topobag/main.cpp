@@ -27,8 +27,10 @@ int main(int argc, char** argv) {
                                         std::to_string(TOPOBAG_VERSION_MINOR) + '.' +
                                         std::to_string(TOPOBAG_VERSION_PATCH));
   program::add_evaluate_command(app);
+  program::add_info_command(app);
   program::add_localize_command(app);
   program::add_loops_command(app);
+  program::add_map_command(app);
   program::add_nodes_command(app);
   program::add_similarity_command(app);
   program::add_trajectory_command(app);

@@ -9,27 +9,39 @@
 #include "recognition_report.hpp"
 
 namespace program {
+namespace {
 
-void add_recognition_options(CLI::App& command, RecognitionArguments& arguments) {
-  KeyframeOptions& keyframes = arguments.keyframes;
+void add_number(CLI::App& command, const char* name, double& value, const char* description,
+                double max = std::numeric_limits<double>::infinity()) {
+  command.add_option(name, value, description)
+      ->check(number_within(0.0, max))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_keyframe_options(CLI::App& command, KeyframeOptions& keyframes, ImageSize& image_size) {
   add_camera_option(command, "--camera", keyframes.camera,
                     "Intrinsics fx,fy,cx,cy[,width,height], px")
       ->required();
-  add_image_size_option(command, arguments.image_size);
-  const auto number = [&](const char* name, double& value, const char* description, double max) {
-    command.add_option(name, value, description)
-        ->check(number_within(0.0, max))
-        ->capture_default_str();
-  };
-  const double any = std::numeric_limits<double>::infinity();
-  number("--keyframe-interval", keyframes.interval, "From key frame to key frame, s; 0 = all", any);
-  number("--window", keyframes.window, "Key frames fused in one graph, s; 0 = single frames", any);
-  number("--min-confidence", keyframes.min_confidence, "Least score of a detection", 1.0);
+  add_image_size_option(command, image_size);
+  add_number(command, "--keyframe-interval", keyframes.interval,
+             "From key frame to key frame, s; 0 = all");
+  add_number(command, "--window", keyframes.window,
+             "Key frames fused in one graph, s; 0 = single frames");
+  add_number(command, "--min-confidence", keyframes.min_confidence, "Least score of a detection",
+             1.0);
+}
+
+void add_recognition_options(CLI::App& command, RecognitionArguments& arguments) {
+  add_keyframe_options(command, arguments.keyframes, arguments.image_size);
   topobag::PoseLimits& limits = arguments.scoring.limits;
-  number("--correct-translation", limits.correct_translation_m, "Correct up to, m", any);
-  number("--correct-rotation", limits.correct_rotation_deg, "Correct up to, degrees", 180.0);
-  number("--wrong-translation", limits.wrong_translation_m, "Wrong beyond, m", any);
-  number("--wrong-rotation", limits.wrong_rotation_deg, "Wrong beyond, degrees", 180.0);
+  add_number(command, "--correct-translation", limits.correct_translation_m, "Correct up to, m");
+  add_number(command, "--correct-rotation", limits.correct_rotation_deg, "Correct up to, degrees",
+             180.0);
+  add_number(command, "--wrong-translation", limits.wrong_translation_m, "Wrong beyond, m");
+  add_number(command, "--wrong-rotation", limits.wrong_rotation_deg, "Wrong beyond, degrees",
+             180.0);
   command.add_flag("--different-places", arguments.scoring.different_places,
                    "The sequences share no place: every accepted match is wrong");
   command.add_flag("--json", arguments.json, "Report in JSON");

@@ -20,7 +20,10 @@ struct RecognitionArguments {
   bool verbose = false;
 };
 
-/// Adds `--camera`, the key frames' options, the limits of the scoring and the forms of the report.
+/// Adds `--camera` and what says how key frames become graphs.
+void add_keyframe_options(CLI::App& command, KeyframeOptions& keyframes, ImageSize& image_size);
+
+/// Adds the key frames' options, the limits of the scoring and the forms of the report.
 void add_recognition_options(CLI::App& command, RecognitionArguments& arguments);
 
 /// The library's defaults, for the classes of a node table.

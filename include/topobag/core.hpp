@@ -59,6 +59,7 @@
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
+#include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/entry_filter.hpp>

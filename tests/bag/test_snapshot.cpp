@@ -67,16 +67,24 @@ TEST_CASE("a bag comes back from a stream as it was", "[bag][snapshot]") {
 }
 
 TEST_CASE("a loaded bag answers as a bag of the decoded graphs does", "[bag][snapshot]") {
-  std::mt19937 random(2);
-  const Bag bag = random_bag(random, 60);
-  Bag rounded;
-  bag.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
-    rounded.add(id, decode(encode(graph)), info);
-  });
-  const Bag back = loaded(saved(bag));
-  for (int i = 0; i < 50; ++i) {
-    const auto query = random_graph(random, 6, 80, false);
-    CHECK(back.query(query) == rounded.query(query));
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    Bag bag = random_bag(random, 40);
+    Bag rounded;
+    for (int step = 0; step < 100; ++step) {
+      bag.erase(KeyframeId{random() % 100 * 1000003u});
+      const KeyframeId id{random() % 100};
+      const auto graph = random_graph(random, random() % 8, 80, false);
+      bag.contains(id) ? bag.update(id, graph) : bag.add(id, graph);
+    }
+    bag.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
+      rounded.add(id, decode(encode(graph)), info);
+    });
+    const Bag back = loaded(saved(bag));
+    for (int i = 0; i < 50; ++i) {
+      const auto query = random_graph(random, 6, 80, false);
+      CHECK(back.query(query) == rounded.query(query));
+    }
   }
 }
 

@@ -208,7 +208,7 @@ void kill_saves(unsigned kills) {
   const Bag bag = random_bag(random, 200);
   save(numbered(bag, 0), path);
   std::uint64_t last = 0;
-  std::size_t interrupted = 0, progressed = 0;
+  std::size_t interrupted = 0;
   for (unsigned round = 0; round < kills; ++round) {
     ChildProcess child([&](const auto& tell) {
       for (std::uint64_t number = last + 1;; ++number) {
@@ -216,14 +216,14 @@ void kill_saves(unsigned kills) {
         tell(number);
       }
     });
+    std::uint64_t told = last;
+    if (round % 2 == 0) told = child.told().value();  // however slow the machine, some get on
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 30000));
     child.kill();
-    std::uint64_t told = last;
     while (const auto number = child.told()) told = *number;
     const std::uint64_t found = number_of(load(path));
     REQUIRE((found == told || found == told + 1));
     REQUIRE(content_of(path) == saved(numbered(bag, found)));
-    if (found > last) ++progressed;
     last = found;
     for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
       if (file.path() == path) continue;
@@ -233,7 +233,7 @@ void kill_saves(unsigned kills) {
     }
   }
   CHECK(interrupted > 0);
-  CHECK(progressed > 0);
+  CHECK(last >= kills / 2);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <topobag/error.hpp>
 
+#include "csv_reader.hpp"
 #include "scratch_folder.hpp"
 
 /// What `call` throws as a topobag::Error, without the folder that its text begins with.

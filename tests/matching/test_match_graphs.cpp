@@ -33,11 +33,11 @@ TopologyGraph<> table_group(double lamp_offset = 0.0) {
   return TopologyGraph<>(std::move(nodes));
 }
 
-/// The best poses, which score alike.
+/// The best poses, which the objects support alike.
 std::vector<RelativePose> best_of(const GraphMatch& match) {
   std::vector<RelativePose> best;
   for (const RelativePose& pose : match.poses) {
-    if (pose.score() > match.poses.front().score() - 1e-6) best.push_back(pose);
+    if (pose.support() > match.poses.front().support() - 1e-6) best.push_back(pose);
   }
   return best;
 }
@@ -70,7 +70,7 @@ TEST_CASE("a planted pose is found in noise and clutter", "[matching]") {
     CHECK((best.T_candidate_query.inverse() * T_candidate_query).translation().norm() < 0.2);
     CHECK(angle_between(best.T_candidate_query, T_candidate_query) < 0.05);
     CHECK(best.inliers.size() >= 6);
-    CHECK(best.score() > 1.0);
+    CHECK(best.support() > 1.0);
     CHECK_FALSE(best.degenerate);
   }
 }
@@ -103,6 +103,22 @@ TEST_CASE("what comes with a pose fits it", "[matching]") {
   }
 }
 
+TEST_CASE("a rigid motion of the query moves the pose and leaves its support", "[matching]") {
+  std::mt19937 random(101);
+  for (int round = 0; round < 50; ++round) {
+    const TopologyGraph<> candidate = noisy_graph(random, 9, 3, 0.03);
+    const TopologyGraph<> query = jittered(random, candidate, 1.0);
+    const Eigen::Isometry3d T = random_motion(random, 1.0);
+    const RelativePose still = match_graphs(candidate, query).poses.at(0);
+    bool found = false;
+    for (const RelativePose& pose : match_graphs(candidate, moved(query, T)).poses) {
+      found |= (pose.T_candidate_query * T).isApprox(still.T_candidate_query, 1e-6) &&
+               std::abs(pose.support() - still.support()) < 1e-6;
+    }
+    CHECK(found);
+  }
+}
+
 TEST_CASE("a mirror image is not matched by a reflection", "[matching]") {
   std::mt19937 random(93);
   for (int round = 0; round < 50; ++round) {
@@ -113,7 +129,7 @@ TEST_CASE("a mirror image is not matched by a reflection", "[matching]") {
     for (const RelativePose& pose : image.poses) {
       CHECK(pose.T_candidate_query.linear().determinant() == Approx(1.0));
       CHECK(pose.inliers.size() < itself.poses.front().inliers.size());
-      CHECK(pose.score() < itself.poses.front().score() - 1.0);
+      CHECK(pose.support() < itself.poses.front().support() - 1.0);
     }
   }
 }
@@ -247,5 +263,7 @@ TEST_CASE("an object missing from a view lowers the score by its cost", "[matchi
   CHECK(pose.missing[0].node == node_index(4));
   CHECK(pose.missing_cost == pose.missing[0].cost);
   CHECK(pose.missing_cost > 0.0);
-  CHECK(pose.score() == pose.significance - pose.missing_cost);
+  CHECK(pose.support() == pose.significance - pose.missing_cost);
+  CHECK(pose.score() == pose.support() + pose.viewpoint_odds);
+  CHECK(pose.viewpoint_odds == Approx(ViewpointPrior{}.log10_odds(Eigen::Matrix3d::Identity())));
 }

@@ -41,7 +41,7 @@ TEST_CASE("the viewing ray is a principal axis", "[sensing]") {
   const Eigen::Matrix3d covariance = noise.covariance(position, {0.4, 0.9}, false);
   const double object = std::sqrt(0.4 * 0.9);
   const double along =
-      std::sqrt(0.02 * 0.02 + 0.005 * 4.0 * 0.005 * 4.0 + 0.1 * object * 0.1 * object);
+      std::sqrt(0.01 * 0.01 + 0.005 * 4.0 * 0.005 * 4.0 + 0.1 * object * 0.1 * object);
   const double across = std::sqrt(0.01 * 0.01 + 0.06 * object * 0.06 * object);
   const Eigen::Vector3d ray = position.normalized();
   CHECK((covariance * ray - along * along * ray).norm() < 1e-15);

@@ -25,7 +25,7 @@ inline constexpr unsigned graph_codec_version = 1;
 /// most of the bytes.
 enum class ViewSection { kept, left_out };
 
-/// A graph in few bytes: some 150 for 12 objects, the views not counted. The same bytes on every
+/// A graph in few bytes: some 180 for 12 objects, the views not counted. The same bytes on every
 /// machine; for memory, file, data base and radio alike.
 ///
 /// Kept exactly: order, classes, edges, what is absent. Rounded, by at most: positions and depths

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
+#include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/sensing/node_noise.hpp>
 
 namespace topobag {
@@ -29,6 +31,7 @@ struct MatchOptions {
   ConsistencyOptions consistency{};
   ChanceModel chance{};
   MissingObjects missing{};
+  ViewpointPrior viewpoint{};
   RefineOptions refine{};
   std::size_t max_steps = 20000;  ///< branches of the clique search
   std::size_t slack = 1;          ///< cliques this much smaller than the largest are tried as well
@@ -89,14 +92,17 @@ class PoseSearch {
       RelativePose pose = pose_of(pairs);
       if (pose.inliers.size() >= 3) poses.push_back(std::move(pose));
     }
-    std::stable_sort(poses.begin(), poses.end(), [](const RelativePose& a, const RelativePose& b) {
-      return a.score() > b.score();
+    // Positions are sorted, not poses: stable_sort's buffer is not aligned for AVX's matrices.
+    std::vector<std::size_t> best_first(poses.size());
+    std::iota(best_first.begin(), best_first.end(), std::size_t{0});
+    std::stable_sort(best_first.begin(), best_first.end(), [&](std::size_t a, std::size_t b) {
+      return poses[a].score() > poses[b].score();
     });
-    for (RelativePose& pose : poses) {
+    for (const std::size_t i : best_first) {
       const bool seen =
           std::any_of(match.poses.begin(), match.poses.end(),
-                      [&](const RelativePose& better) { return !distinct(pose, better); });
-      if (!seen) match.poses.push_back(std::move(pose));
+                      [&](const RelativePose& better) { return !distinct(poses[i], better); });
+      if (!seen) match.poses.push_back(std::move(poses[i]));
     }
     return match;
   }
@@ -146,6 +152,7 @@ class PoseSearch {
                                                      refined, options_.consistency.classes);
     pose.missing = options_.missing.find(candidate_, query_, pose.inliers, pose.T_candidate_query);
     for (const MissingObject& object : pose.missing) pose.missing_cost += object.cost;
+    pose.viewpoint_odds = options_.viewpoint.log10_odds(pose.T_candidate_query.linear());
     return pose;
   }
 

@@ -28,7 +28,7 @@ struct MissingObject {
 struct MissingObjects {
   double max_detection_rate = 0.8;  ///< of one view; even a plain object is overlooked at times
   double correlation = 0.5;         ///< share of a view's oversight that the other views repeat
-  double min_probability = 0.5;     ///< of another reason to be missing: moved, hidden, misread
+  double min_probability = 0.4;     ///< of another reason to be missing: moved, hidden, misread
   double image_margin = 40.0;       ///< px from the border within which nothing need show
   double max_depth = 5.0;           ///< m beyond which nothing need show
   double same_spot = 0.1;           ///< m; an object found this near, plus

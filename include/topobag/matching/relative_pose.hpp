@@ -36,6 +36,8 @@ struct RelativePose {
   /// (`missing_objects.hpp`).
   std::vector<MissingObject> missing;
   double missing_cost = 0.0;
+  /// log10 of the prior odds of the rotation (`viewpoint_prior.hpp`).
+  double viewpoint_odds = 0.0;
 
   /// Standard deviation of the rotation about its least certain axis, rad.
   double rotation_deviation() const {
@@ -45,8 +47,11 @@ struct RelativePose {
     return std::sqrt(std::max(0.0, solver.eigenvalues()(2)));
   }
 
-  /// What the decision looks at.
-  double score() const noexcept { return significance - missing_cost; }
+  /// What the objects say; equal for the poses of a symmetric layout.
+  double support() const noexcept { return significance - missing_cost; }
+
+  /// What the decision looks at: −log10 of the odds that chance made the match.
+  double score() const noexcept { return support() + viewpoint_odds; }
 };
 
 }  // namespace v0

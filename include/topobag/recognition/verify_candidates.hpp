@@ -16,8 +16,8 @@ inline namespace v0 {
 
 /// When a match is believed. One set for all data; see the README for how it was chosen.
 struct DecisionOptions {
-  double min_score = 0.05;  ///< −log10 of the false matches to expect, less what is missing
-  double min_lead = 1.0;    ///< over the next distinct pose in the same candidate
+  double min_score = 2.0;  ///< −log10 of the odds that chance made the match
+  double min_lead = 1.0;    ///< in support, over every other distinct pose in the same candidate
 };
 
 namespace detail {
@@ -27,7 +27,7 @@ inline Verdict judge_candidate(const CandidateReport& report, const DecisionOpti
   if (report.pose->degenerate) return Verdict::degenerate;
   if (report.margin() < 0.0) return Verdict::chance;
   const auto rival = [&](const RelativePose& other) {
-    return !other.degenerate && other.score() > report.pose->score() - options.min_lead;
+    return !other.degenerate && other.support() > report.pose->support() - options.min_lead;
   };
   if (std::any_of(report.other_poses.begin(), report.other_poses.end(), rival))
     return Verdict::ambiguous;

@@ -19,12 +19,12 @@ inline namespace v0 {
 /// box cut by the image border shows part of the object, so its centre is off by a share of the
 /// object's size.
 struct NodeNoise {
-  double depth_floor = 0.02;       ///< m
+  double depth_floor = 0.01;       ///< m
   double depth_quadratic = 0.005;  ///< m at 1 m; grows with z²
   double depth_of_object = 0.10;   ///< share of the object's size
   double box_jitter = 0.06;        ///< share of the object's size
   double box_floor = 0.01;         ///< m
-  double truncation = 0.15;        ///< share of the object's size, across the ray, for a cut box
+  double truncation = 0.10;        ///< share of the object's size, across the ray, for a cut box
 
   /// Covariance (3 × 3, m²) of a position in the camera frame.
   /// @param position   m, camera frame, not the origin

@@ -12,13 +12,17 @@
 
 namespace topobag {
 inline namespace v0 {
+
+/// The version of the tables that `SqliteBag` writes; it takes earlier ones along.
+inline constexpr std::int64_t sqlite_schema_version = 1;
+
 namespace detail {
 
 inline constexpr std::int64_t sqlite_application = 0x54424147;  // "TBAG"
 
 /// What takes a file from one version of the schema to the next; the first one from nothing.
 /// Written once, never changed: a new schema is a new step.
-inline constexpr std::array<const char*, 1> sqlite_migrations = {R"sql(
+inline constexpr std::array<const char*, sqlite_schema_version> sqlite_migrations = {R"sql(
 CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE class(id INTEGER PRIMARY KEY, name TEXT NOT NULL);
 CREATE TABLE session(id INTEGER PRIMARY KEY, name TEXT NOT NULL);
@@ -35,8 +39,6 @@ CREATE TABLE keyframe(
   checksum INTEGER NOT NULL);
 CREATE INDEX keyframe_of_session ON keyframe(session);
 )sql"};
-
-inline constexpr std::int64_t sqlite_schema_version = sqlite_migrations.size();
 
 inline std::int64_t sqlite_number(const SqliteConnection& connection, const std::string& sql) {
   SqliteStatement statement(connection, sql);

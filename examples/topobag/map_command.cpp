@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "recognition_options.hpp"
+#include "saved_map.hpp"
+
+namespace program {
+namespace {
+
+struct MapArguments {
+  std::string nodes;
+  std::string out;
+  std::string session;
+  bool append = false;
+  KeyframeOptions keyframes;
+  ImageSize image_size;
+};
+
+void make_map(const MapArguments& arguments) {
+  KeyframeOptions options = arguments.keyframes;
+  options.camera = with_size(options.camera, arguments.image_size);
+  const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
+  const std::string session =
+      arguments.session.empty() ? name_of(arguments.nodes) : arguments.session;
+  write_saved_map(arguments.out, session, keyframes, arguments.append);
+  std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
+            << " added\n";
+}
+
+}  // namespace
+
+void add_map_command(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "map", "Makes the key frames of a node table a map that `localize` looks key frames up in");
+  const auto arguments = std::make_shared<MapArguments>();
+  command.add_option("--nodes", arguments->nodes, "Table: NODES.frames.csv, NODES.nodes.csv")
+      ->required();
+  command
+      .add_option("--out", arguments->out,
+                  "Map to write: FILE.db for a durable one on SQLite, else a snapshot")
+      ->required();
+  command.add_option("--session", arguments->session, "Name of the run [that of the table]");
+  command.add_flag("--append", arguments->append, "Go on mapping where there is a map");
+  add_keyframe_options(command, arguments->keyframes, arguments->image_size);
+  command.callback([arguments] { make_map(*arguments); });
+}
+
+}  // namespace program

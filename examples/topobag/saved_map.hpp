@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <topobag/bag/bag_of_topology_graphs.hpp>
+
+#include "keyframe_graphs.hpp"
+
+namespace program {
+
+/// One run of the robot in a map.
+struct SavedSession {
+  std::uint32_t id = 0;
+  std::string name;  ///< empty where the file keeps none
+};
+
+/// A map read from a file: an SQLite map or a snapshot.
+struct SavedMap {
+  std::string format;  ///< such as "SQLite map, schema 1"
+  std::vector<SavedSession> sessions;
+  topobag::BagOfTopologyGraphs<> bag;
+};
+
+/// A key frame on its way into a map.
+struct MapEntry {
+  topobag::KeyframeId id{};
+  topobag::EntryInfo info;
+  const topobag::TopologyGraph<>* graph = nullptr;
+};
+
+/// The entries that `keyframes` make in a map that holds `bag`: ids are the frames' numbers, beyond
+/// those that are there. Throws InputError for a frame with a negative number.
+std::vector<MapEntry> new_entries(const topobag::BagOfTopologyGraphs<>& bag, std::uint32_t session,
+                                  const std::vector<Keyframe>& keyframes);
+
+/// Throws InputError for a file that is neither kind of map; topobag::Error for one that is
+/// damaged.
+SavedMap read_saved_map(const std::string& path);
+
+/// Writes a session: FILE.db becomes an SQLite map, any other name a snapshot. A map that is there
+/// has to be asked for with `append`. Throws InputError and topobag::Error.
+void write_saved_map(const std::string& path, const std::string& session,
+                     const std::vector<Keyframe>& keyframes, bool append);
+
+/// The key frames of a map: of a file, or, as `read_keyframes` makes them, of a table.
+std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options);
+
+}  // namespace program

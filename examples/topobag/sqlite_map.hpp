@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "saved_map.hpp"
+
+namespace program {
+
+/// Reads an SQLite map and leaves it untouched. Throws topobag::Error, and InputError where the
+/// program was built without SQLite; so does the next.
+SavedMap read_sqlite_map(const std::string& path);
+
+/// Adds a session to an SQLite map, which is made where there is none.
+void extend_sqlite_map(const std::string& path, const std::string& session,
+                       const std::vector<Keyframe>& keyframes);
+
+}  // namespace program

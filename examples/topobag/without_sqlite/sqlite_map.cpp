@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "sqlite_map.hpp"
+
+#include "input_error.hpp"
+
+namespace program {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path) {
+  throw InputError(path, "the program was built without SQLite3; install it, build again");
+}
+
+}  // namespace
+
+SavedMap read_sqlite_map(const std::string& path) { refuse(path); }
+
+void extend_sqlite_map(const std::string& path, const std::string&, const std::vector<Keyframe>&) {
+  refuse(path);
+}
+
+}  // namespace program

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <topobag/version.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Who comes back mostly looks the same way: among a map's key frames one is near the query's view.
+/// A pose that chance fits is turned anywhere.
+///
+/// The rotation of a true match is near none with probability `share` (an isotropic Gaussian of
+/// `deviation` about each axis), else uniform on SO(3), as that of chance is. The prior odds are
+/// kept apart from what the objects say, so that a symmetric layout stays ambiguous.
+struct ViewpointPrior {
+  double share = 0.7;      ///< of the revisits that look the same way; 0 = no prior
+  double deviation = 0.4;  ///< rad, about each axis
+
+  /// log10 of the density of the rotation under a true match over that under chance.
+  double log10_odds(const Eigen::Matrix3d& R) const {
+    if (!(share > 0.0)) return 0.0;
+    const double two_pi = 6.283185307179586;
+    const double turns = Eigen::AngleAxisd(R).angle() / deviation;
+    // The volume of SO(3) is 8π².
+    const double peak = 2.0 * two_pi * two_pi * std::pow(two_pi * deviation * deviation, -1.5);
+    return std::log10(share * peak * std::exp(-0.5 * turns * turns) + 1.0 - share);
+  }
+};
+
+}  // namespace v0
+}  // namespace topobag

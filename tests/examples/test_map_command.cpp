@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <topobag/bag/graph_codec.hpp>
+
+#include "catch.hpp"
+#include "keyframe_graphs.hpp"
+#include "run_program.hpp"
+#include "sample.hpp"
+#include "saved_map.hpp"
+
+using Json = nlohmann::json;
+
+namespace {
+
+/// Without SQLite a snapshot is all there is.
+#ifdef TOPOBAG_HAS_SQLITE
+const std::vector<std::string> map_files = {"map.db", "map.bag"};
+#else
+const std::vector<std::string> map_files = {"map.bag"};
+#endif
+
+std::string output_of(const std::string& arguments) {
+  const ProgramRun run = run_program(arguments);
+  CAPTURE(arguments, run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.err.empty());
+  return run.out;
+}
+
+Json localized(const std::string& map) {
+  Json report = Json::parse(
+      output_of("localize --json --map " + map + " --query " + sample_query + sample_options));
+  return report;
+}
+
+program::KeyframeOptions sample_keyframes() {
+  program::KeyframeOptions options;
+  options.camera = {517.3, 516.5, 318.6, 255.3, 640, 480};
+  options.interval = 0.0;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("a map holds the key frames of its table, rounded", "[examples]") {
+  const auto keyframes = program::read_keyframes(sample_map, sample_keyframes());
+  for (const std::string& file : map_files) {
+    const ScratchFolder folder;
+    const std::string path = folder.path(file);
+    CHECK(output_of("map --nodes " + sample_map + sample_options + "--out " + path) ==
+          path + ": 67 key frames of fr1_xyz added\n");
+    const auto kept = program::read_map(path, {});
+    REQUIRE(kept.size() == keyframes.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      CHECK(kept[i].idx == keyframes[i].idx);
+      CHECK(kept[i].timestamp == keyframes[i].timestamp);
+      CHECK(kept[i].T_world_camera->isApprox(*keyframes[i].T_world_camera, 1e-12));
+      CHECK(topobag::encode(kept[i].graph) == topobag::encode(keyframes[i].graph));
+    }
+  }
+}
+
+TEST_CASE("localize in a saved map answers as in its table", "[examples]") {
+  const Json table = localized(sample_map);
+  for (const std::string& file : map_files) {
+    const ScratchFolder folder;
+    const std::string path = folder.path(file);
+    output_of("map --nodes " + sample_map + sample_options + "--out " + path);
+    const std::string before = content_of(path);
+    const Json saved = localized(path);
+    CHECK(content_of(path) == before);
+    for (const char* key : {"keyframes", "map_keyframes", "queries", "wrong"}) {
+      CHECK(saved.at(key) == table.at(key));
+    }
+    // A graph at the threshold may fall to the other side by its rounding.
+    CHECK(std::abs(saved.at("accepted").get<int>() - table.at("accepted").get<int>()) <= 1);
+    CHECK(saved.at("median_translation_error_m").get<double>() ==
+          Approx(table.at("median_translation_error_m").get<double>()).margin(0.01));
+    CHECK(saved.at("median_rotation_error_deg").get<double>() ==
+          Approx(table.at("median_rotation_error_deg").get<double>()).margin(0.5));
+  }
+}
+
+TEST_CASE("several sessions go into one map, and info tells them apart", "[examples]") {
+  for (const std::string& file : map_files) {
+    const ScratchFolder folder;
+    const std::string path = folder.path(file);
+    const std::string out = sample_options + "--out " + path;
+    output_of("map --nodes " + sample_map + out);
+    CHECK(refusal("map --nodes " + sample_query + out) ==
+          path + ": it exists; give --append to go on mapping, or another name");
+    output_of("map --nodes " + sample_query + out + " --append --session Tuesday");
+    const Json info = Json::parse(output_of("info --json " + path));
+    CHECK(info.at("keyframes") == 67 + 61);
+    CHECK(info.at("file_bytes") == std::filesystem::file_size(path));
+    CHECK(info.at("graph_bytes_per_keyframe") < 250.0);
+    CHECK(info.at("objects").at("tv") > 50);
+    const Json& sessions = info.at("sessions");
+    REQUIRE(sessions.size() == 2);
+    CHECK(sessions.at("0").at("keyframes") == 67);
+    CHECK(sessions.at("1").at("keyframes") == 61);
+    CHECK(sessions.at("1").at("with_pose") == 61);
+    if (file == "map.db") {
+      CHECK(sessions.at("0").at("name") == "fr1_xyz");
+      CHECK(sessions.at("1").at("name") == "Tuesday");
+    }
+    CHECK(output_of("info " + path).find("keyframes") != std::string::npos);
+  }
+}
+
+TEST_CASE("what is no map is refused by name", "[examples]") {
+  const ScratchFolder folder;
+  const std::string text = folder.write("text.db", "no map");
+  CHECK(refusal("info " + text) ==
+        text + ": it is no map: neither an SQLite map nor a snapshot of topobag");
+  CHECK(refusal("localize --map " + text + " --query " + sample_query + sample_options) ==
+        text + ": it is no map: neither an SQLite map nor a snapshot of topobag");
+  const std::string path = folder.path("map.bag");
+  output_of("map --nodes " + sample_map + sample_options + "--out " + path);
+  const std::string cut = folder.write("cut.bag", content_of(path).substr(0, 1000));
+  CHECK(refusal("info " + cut).find(cut + ": entry ") == 0);
+  CHECK(refusal("map --nodes " + sample_map + sample_options + "--out " +
+                folder.path("none/map.bag")) ==
+        folder.path("none/map.bag") + " cannot be written: No such file or directory");
+}
