@@ -79,6 +79,7 @@
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/indexed_bag.hpp>
 #include <topobag/bag/memory_usage.hpp>
+#include <topobag/bag/merge_options.hpp>
 #include <topobag/bag/query.hpp>
 #include <topobag/bag/search_result.hpp>
 #include <topobag/bag/snapshot.hpp>

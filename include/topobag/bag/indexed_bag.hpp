@@ -13,21 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/detail/part_builder.hpp>
+#include <topobag/bag/merge_options.hpp>
 #include <topobag/error.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// How the entries of another bag come into this one.
-struct MergeOptions {
-  std::uint32_t session_offset = 0;  ///< added to their sessions
-  std::optional<Eigen::Isometry3d>
-      T_world_other;  ///< from the other map's world to this one's; moves their poses when set
-};
 
 /// A bag of topology graphs for a million key frames: graphs in some 100 bytes each, exact answers
 /// without reading most of them, and readers that never wait.

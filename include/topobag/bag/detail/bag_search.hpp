@@ -35,15 +35,16 @@ class BagSearch {
 
   SearchResult run() {
     visit_head();
-    LeafOrder order(parts_, coarse_query_, query_.total());
+    const LeafOrder order(parts_, coarse_query_, query_.total());
     // A leaf of each part first: good ones raise the floor, and then most leaves are not even
     // sorted.
-    for (const BoundedLeaf& leaf : order.take_best_of_each_part()) visit(leaf);
+    const std::vector<BoundedLeaf> first = order.first_of_each_part();
+    for (const BoundedLeaf& leaf : first) visit(leaf);
     const double floor = std::max(0.0, best_.floor() - score_slack);
     for (const BoundedLeaf& leaf : order.at_least(static_cast<float>(floor))) {
       const auto bound = static_cast<double>(leaf.bound);
       if (!best_.wants(bound) || missed_ > bound) break;
-      visit(leaf);
+      if (first[leaf.part].leaf != leaf.leaf) visit(leaf);
     }
     SearchResult result;
     result.candidates = best_.finish(parts_, [&](const StoredEntry& entry) {

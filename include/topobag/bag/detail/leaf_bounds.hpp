@@ -24,9 +24,9 @@ class LeafBounds {
 
   std::size_t leaves() const noexcept { return leaves_; }
 
-  /// Adds to `sums[leaf]` the query's Σ min with each leaf, 1/64. O(Σ leaves that have a word).
-  template <typename Sum>
-  void add_common(const CoarseHistogram& query, Sum* sums) const {
+  /// Adds to `sums[leaf]` the query's Σ min with each leaf, in units of 1 / `coarse_steps`.
+  /// Precondition: the query's weights fit into a sum. O(Σ leaves that have a word).
+  void add_common(const CoarseHistogram& query, std::uint16_t* sums) const {
     DenseGroup group;
     auto column = columns_.begin();
     for (const CoarseEntry& entry : query) {
@@ -42,7 +42,7 @@ class LeafBounds {
       } else {
         const std::uint16_t* ids = ids_.data() + column->ids;
         for (std::size_t i = 0; i < column->size; ++i) {
-          sums[ids[i]] = static_cast<Sum>(sums[ids[i]] + std::min(weights[i], cap));
+          sums[ids[i]] = static_cast<std::uint16_t>(sums[ids[i]] + std::min(weights[i], cap));
         }
       }
       // A byte that is full may stand for more than it holds.
@@ -112,7 +112,7 @@ class LeafBounds {
   static constexpr std::uint32_t full = 255;
   static constexpr std::uint32_t no_ids = std::numeric_limits<std::uint32_t>::max();
   /// A word in more than one leaf of so many is dense: as fast as the numbers or faster.
-  static constexpr std::size_t dense_from = 8;
+  static constexpr std::size_t dense_from = 20;
 
   struct Column {
     std::uint32_t word;
@@ -139,8 +139,7 @@ class LeafBounds {
   };
 
   /// Adds the group's columns to the sums and empties it.
-  template <typename Sum>
-  void add_dense(DenseGroup& group, Sum* sums) const {
+  void add_dense(DenseGroup& group, std::uint16_t* sums) const {
     if (group.size == 0) return;
     // Columns that are not there count as the first, of which they take nothing.
     for (std::size_t i = group.size; i < DenseGroup::capacity; ++i) {
@@ -152,7 +151,7 @@ class LeafBounds {
       const auto sum =
           static_cast<std::uint8_t>(std::min(a[leaf], cap_a) + std::min(b[leaf], cap_b) +
                                     std::min(c[leaf], cap_c) + std::min(d[leaf], cap_d));
-      sums[leaf] = static_cast<Sum>(sums[leaf] + sum);
+      sums[leaf] = static_cast<std::uint16_t>(sums[leaf] + sum);
     }
     group = {};
   }
@@ -166,10 +165,9 @@ class LeafBounds {
     }
   }
 
-  template <typename Sum>
-  void add_beyond(const Column& column, std::uint32_t rest, Sum* sums) const {
+  void add_beyond(const Column& column, std::uint32_t rest, std::uint16_t* sums) const {
     for_each(column, [&](std::size_t leaf, std::uint8_t weight) {
-      if (weight == full) sums[leaf] = static_cast<Sum>(sums[leaf] + rest);
+      if (weight == full) sums[leaf] = static_cast<std::uint16_t>(sums[leaf] + rest);
     });
   }
 

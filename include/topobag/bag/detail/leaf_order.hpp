@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -30,42 +31,58 @@ struct BoundedLeaf {
   std::uint32_t leaf = 0;
 };
 
-/// Bounds of all leaves of a bag for one query, to visit the best first.
+/// What the leaves of a bag have in common with a query at most, to visit the best first.
 class LeafOrder {
  public:
+  /// @param total  sum of the query's weights
   /// O(Σ over the query's words of the leaves that have them).
-  /// @param total   sum of the query's weights
   LeafOrder(const BagParts& parts, const CoarseHistogram& query, double total)
-      : total_(static_cast<float>(total)) {
-    std::uint64_t greatest_sum = 0;
-    for (const CoarseEntry& entry : query) greatest_sum += entry.weight;
-    if (greatest_sum < 65536) {
-      fill<std::uint16_t>(parts, query);
-    } else {
-      fill<std::uint64_t>(parts, query);
+      : parts_(*parts.sealed), total_(static_cast<float>(total)) {
+    // Sums are 16 bits wide, for speed: words that might not fit count as common with all.
+    CoarseHistogram fitting;
+    std::uint32_t greatest_sum = 0;
+    for (const CoarseEntry& entry : query) {
+      if (entry.weight <= max_sum - greatest_sum) {
+        greatest_sum += entry.weight;
+        fitting.push_back(entry);
+      } else {
+        surplus_ += static_cast<float>(entry.weight) / static_cast<float>(coarse_steps);
+      }
+    }
+    std::size_t leaves = 0;
+    for (const SealedPart& part : parts_) {
+      begins_.push_back(leaves);
+      leaves += part.segment->leaves();
+    }
+    begins_.push_back(leaves);
+    sums_.resize(leaves, 0);
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      parts_[part].segment->bounds().add_common(fitting, sums_.data() + begins_[part]);
     }
   }
 
-  /// The best leaf of each part, which is then no longer among the others.
-  std::vector<BoundedLeaf> take_best_of_each_part() {
-    std::vector<BoundedLeaf> best;
-    for (std::uint32_t part = 0; part + 1 < begins_.size(); ++part) {
-      const auto begin = bounds_.begin() + static_cast<std::ptrdiff_t>(begins_[part]);
-      const auto end = bounds_.begin() + static_cast<std::ptrdiff_t>(begins_[part + 1]);
-      if (begin == end) continue;
-      const auto leaf = std::max_element(begin, end);
-      best.push_back(at(part, static_cast<std::size_t>(leaf - begin)));
-      *leaf = taken;
+  /// The leaf of each part that has most in common.
+  std::vector<BoundedLeaf> first_of_each_part() const {
+    std::vector<BoundedLeaf> first;
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      const auto begin = sums_.begin() + static_cast<std::ptrdiff_t>(begins_[part]);
+      const auto end = sums_.begin() + static_cast<std::ptrdiff_t>(begins_[part + 1]);
+      first.push_back(at(part, static_cast<std::size_t>(std::max_element(begin, end) - begin)));
     }
-    return best;
+    return first;
   }
 
-  /// Those that reach `floor` >= 0, best first.
+  /// Those whose bound reaches `floor` >= 0, best first.
   std::vector<BoundedLeaf> at_least(float floor) const {
+    // Whatever the graph, its score is no more than what is common over the query's total.
+    const float least = (floor * total_ - surplus_) * static_cast<float>(coarse_steps);
+    const auto least_sum = static_cast<std::uint32_t>(std::max(0.0F, std::floor(least) - 1.0F));
     std::vector<BoundedLeaf> leaves;
-    for (std::uint32_t part = 0; part + 1 < begins_.size(); ++part) {
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
       for (std::size_t i = begins_[part]; i < begins_[part + 1]; ++i) {
-        if (bounds_[i] >= floor) leaves.push_back(at(part, i - begins_[part]));
+        if (sums_[i] < least_sum) continue;
+        const BoundedLeaf leaf = at(part, i - begins_[part]);
+        if (leaf.bound >= floor) leaves.push_back(leaf);
       }
     }
     std::sort(leaves.begin(), leaves.end(), [](const BoundedLeaf& l, const BoundedLeaf& r) {
@@ -76,42 +93,23 @@ class LeafOrder {
   }
 
  private:
-  static constexpr float taken = -1.0F;
+  static constexpr std::uint32_t max_sum = 65535;
 
-  BoundedLeaf at(std::uint32_t part, std::size_t leaf) const {
-    const std::size_t i = begins_[part] + leaf;
-    return {bounds_[i], common_[i], part, static_cast<std::uint32_t>(leaf)};
+  BoundedLeaf at(std::size_t part, std::size_t leaf) const {
+    const Segment& segment = *parts_[part].segment;
+    const float common =
+        static_cast<float>(sums_[begins_[part] + leaf]) / static_cast<float>(coarse_steps) +
+        surplus_;
+    return {jaccard_bound(common, total_, segment.least_totals()[leaf],
+                          segment.greatest_totals()[leaf]),
+            common, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(leaf)};
   }
 
-  template <typename Sum>
-  void fill(const BagParts& parts, const CoarseHistogram& query) {
-    std::size_t leaves = 0;
-    for (const SealedPart& part : *parts.sealed) {
-      begins_.push_back(leaves);
-      leaves += part.segment->leaves();
-    }
-    begins_.push_back(leaves);
-    bounds_.resize(leaves);
-    common_.resize(leaves);
-    std::vector<Sum> sums;
-    for (std::size_t part = 0; part < parts.sealed->size(); ++part) {
-      const Segment& segment = *(*parts.sealed)[part].segment;
-      sums.assign(segment.leaves(), 0);
-      segment.bounds().add_common(query, sums.data());
-      float* bounds = bounds_.data() + begins_[part];
-      float* common = common_.data() + begins_[part];
-      const float* least = segment.least_totals().data();
-      const float* greatest = segment.greatest_totals().data();
-      for (std::size_t leaf = 0; leaf < sums.size(); ++leaf) {
-        common[leaf] = static_cast<float>(sums[leaf]) / static_cast<float>(coarse_steps);
-        bounds[leaf] = jaccard_bound(common[leaf], total_, least[leaf], greatest[leaf]);
-      }
-    }
-  }
-
+  const BagParts::Sealed& parts_;
   float total_;
+  float surplus_ = 0.0F;             ///< weights of the words that are not in the sums
   std::vector<std::size_t> begins_;  ///< of the parts' leaves, and the end
-  std::vector<float> bounds_, common_;
+  std::vector<std::uint16_t> sums_;  ///< by leaf, in units of `coarse_steps`
 };
 
 }  // namespace detail
