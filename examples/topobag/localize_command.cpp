@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "calibration_options.hpp"
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "look_up.hpp"
@@ -17,13 +18,14 @@ struct LocalizeArguments {
   std::string svg;
   RecognitionArguments recognition;
   RecognitionReportArguments report;
+  CalibrationArguments calibration;
 };
 
 void localize(const LocalizeArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
-  look_up_in_map(run);
+  look_up_in_map(run, calibration_request(arguments.calibration, common));
   score(run, common.scoring);
   if (!arguments.svg.empty()) write_file(arguments.svg, match_svg(run));
   write_recognition_report(run, common, arguments.report);
@@ -45,6 +47,7 @@ void add_localize_command(CLI::App& app) {
   add_camera_option(command, "--map-camera", arguments->tables.map_camera,
                     "The map's camera, where it is another one");
   command.add_option("--svg", arguments->svg, "File to draw the best accepted match in");
+  add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);
   command.callback([arguments] { localize(*arguments); });
 }

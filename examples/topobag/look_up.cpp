@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "look_up.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
+#include <topobag/recognition/calibrate.hpp>
+#include <topobag/recognition/explain.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 #include <topobag/types/class_catalog.hpp>
@@ -37,14 +41,55 @@ LookUp timed(const Recognize& recognize) {
   return {std::move(recognition), watch.milliseconds(), {}, {}};
 }
 
+topobag::Calibration calibration_of(const topobag::Relocalizer<>& relocalizer,
+                                    const RecognitionRun& run,
+                                    const std::vector<Keyframe>& other_places) {
+  std::vector<topobag::KeyframeId> ids;
+  for (std::size_t i = 0; i < run.map.size(); ++i) ids.push_back(topobag::KeyframeId{i});
+  const auto usable =
+      std::count_if(other_places.begin(), other_places.end(),
+                    [](const Keyframe& other) { return other.graph.is_matchable(); });
+  topobag::CalibrateOptions options;
+  if (static_cast<std::size_t>(usable) >= options.calibration.min_negatives) {
+    options.null_look_ups = 0;
+  }
+  topobag::Calibration calibration = topobag::calibrate(relocalizer, ids, {}, options);
+  const auto open = topobag::without_threshold(relocalizer.options());
+  for (const Keyframe& other : other_places) {
+    if (!other.graph.is_matchable()) continue;
+    calibration.add_negative(topobag::false_score(relocalizer.localize(other.graph, open)));
+  }
+  return calibration;
+}
+
 }  // namespace
 
-void look_up_in_map(RecognitionRun& run) {
+void look_up_in_map(RecognitionRun& run, const std::optional<CalibrationRequest>& request) {
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run.map);
+  topobag::RecognitionOptions options = relocalizer.options();
+  if (request) {
+    const auto calibration = calibration_of(relocalizer, run, request->other_places);
+    options.decision.false_accept_rate = request->false_accept_rate;
+    run.calibrated = {request->false_accept_rate, calibration.threshold(request->false_accept_rate),
+                      calibration.source(), calibration.look_ups()};
+    options.decision.calibration = calibration;
+  }
   run.look_ups.clear();
   for (const Keyframe& query : run.queries) {
-    run.look_ups.push_back(timed([&] { return relocalizer.localize(query.graph); }));
+    run.look_ups.push_back(timed([&] { return relocalizer.localize(query.graph, options); }));
   }
+}
+
+topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index) {
+  const topobag::Recognition& recognition = run.look_ups[index].recognition;
+  topobag::Explanation explanation =
+      topobag::explain(recognition, relocalizer_of(run.map).map(), run.queries[index].graph,
+                       topobag::ClassCatalog::coco80(), table_recognition_options());
+  for (topobag::CandidateExplanation& candidate : explanation.candidates) {
+    const auto frame = run.map[topobag::value(candidate.id)].idx;
+    candidate.id = topobag::KeyframeId{static_cast<std::uint64_t>(frame)};
+  }
+  return explanation;
 }
 
 void look_up_earlier(RecognitionRun& run, double min_gap) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <topobag/bag/query.hpp>
+#include <topobag/recognition/explanation.hpp>
 
 #include "recognition_run.hpp"
 
@@ -11,8 +14,21 @@
 // run's look-ups; the ids in them are positions in the run's map.
 namespace program {
 
-/// Looks every query up in the whole map, by the library's defaults.
-void look_up_in_map(RecognitionRun& run);
+/// How a decision is calibrated.
+struct CalibrationRequest {
+  double false_accept_rate = 0.01;
+  std::vector<Keyframe> other_places{};  ///< key frames that are certainly not of the map; where
+                                         ///< they are too few, a null model serves
+};
+
+/// Looks every query up in the whole map, by the library's defaults, or by a decision that is first
+/// calibrated on the map.
+void look_up_in_map(RecognitionRun& run,
+                    const std::optional<CalibrationRequest>& calibration = std::nullopt);
+
+/// Why a query that was looked up in the map was or was not accepted. Key frames go by the numbers
+/// of their frames.
+topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index);
 
 /// Looks every key frame of a sequence up among those at least `min_gap` s older. Precondition: map
 /// and queries are the same.

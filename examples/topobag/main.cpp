@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
                                         std::to_string(TOPOBAG_VERSION_PATCH));
   program::add_compare_command(app);
   program::add_evaluate_command(app);
+  program::add_explain_command(app);
   program::add_localize_command(app);
   program::add_loops_command(app);
   program::add_nodes_command(app);

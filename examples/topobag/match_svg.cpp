@@ -42,24 +42,29 @@ std::optional<std::size_t> best_look_up(const RecognitionRun& run) {
 }
 
 /// "b in a: 3 objects agree, score 4.20"
-std::string title_of(const RecognitionRun& run, const LookUp& look_up) {
-  const topobag::RelativePose& pose = *look_up.recognition.accepted->pose;
+std::string title_of(const RecognitionRun& run, const topobag::CandidateReport& report) {
   std::ostringstream out;
-  out << name_of(run.query_set) << " in " << name_of(run.map_set) << ": " << pose.inliers.size()
-      << " objects agree, score " << std::fixed << std::setprecision(2) << pose.score();
+  out << name_of(run.query_set) << " in " << name_of(run.map_set) << ": ";
+  if (report.pose) {
+    out << report.pose->inliers.size() << " objects agree, score " << std::fixed
+        << std::setprecision(2) << report.pose->score();
+  }
+  if (report.pose && report.verdict != topobag::Verdict::accepted) out << ", ";
+  if (report.verdict != topobag::Verdict::accepted) out << to_string(report.verdict);
   return out.str();
 }
 
-std::string pose_line(const LookUp& look_up) {
-  const Eigen::Isometry3d& pose = look_up.recognition.accepted->pose->T_candidate_query;
-  const Eigen::Vector3d t = pose.translation();
+std::string pose_line(const topobag::RelativePose& pose,
+                      const std::optional<topobag::PoseError>& error) {
+  const Eigen::Isometry3d& T = pose.T_candidate_query;
+  const Eigen::Vector3d t = T.translation();
   std::ostringstream out;
   out << std::fixed << std::setprecision(2) << "The query's camera in the map key frame's: x "
       << t.x() << ", y " << t.y() << ", z " << t.z() << " m, turned by " << std::setprecision(1)
-      << topobag::rotation_angle_deg(pose.linear()) << "°";
-  if (look_up.error) {
-    out << "; off the true pose by " << std::setprecision(2) << look_up.error->translation_m
-        << " m, " << std::setprecision(1) << look_up.error->rotation_deg << "°";
+      << topobag::rotation_angle_deg(T.linear()) << "°";
+  if (error) {
+    out << "; off the true pose by " << std::setprecision(2) << error->translation_m << " m, "
+        << std::setprecision(1) << error->rotation_deg << "°";
   }
   return out.str();
 }
@@ -91,6 +96,60 @@ void draw_match(std::ostream& out, const Eigen::Vector2d& a, const Eigen::Vector
       << "\"/>\n";
 }
 
+void draw_missing(std::ostream& out, const Eigen::Vector2d& center) {
+  out << "<rect x=\"" << center.x() - 11 << "\" y=\"" << center.y() - 11
+      << "\" width=\"22\" height=\"22\" class=\"missing\" fill=\"none\" stroke=\"var(--ink)\" "
+         "stroke-dasharray=\"4 3\"/>\n";
+}
+
+std::string pair_svg(const RecognitionRun& run, std::size_t index,
+                     const topobag::CandidateReport& match,
+                     const std::optional<topobag::PoseError>& error, bool with_missing) {
+  std::ostringstream out;
+  const Keyframe& candidate = run.map[topobag::value(match.id)];
+  const Keyframe& query = run.queries[index];
+  GraphPanel left(candidate.graph);
+  GraphPanel right(query.graph);
+  const Eigen::AlignedBox2d extent = left.extent().merged(right.extent());
+  const double scale = panel_width / extent.sizes().x();
+  const double right_side = 2 * margin + panel_width;
+  left.place(extent, {margin, header}, scale);
+  right.place(extent, {right_side, header}, scale);
+
+  open_svg(out, header + scale * extent.sizes().y() + margin);
+  draw_text(out, margin, 30, "title", title_of(run, match));
+  const topobag::RelativePose pose = match.pose.value_or(topobag::RelativePose{});
+  if (match.pose) draw_text(out, margin, 52, "pose", pose_line(pose, error));
+  draw_text(out, margin, header - 8, "place", "map, frame " + std::to_string(candidate.idx));
+  draw_text(out, right_side, header - 8, "place", "query, frame " + std::to_string(query.idx));
+
+  std::set<topobag::NodeIndex> left_matched;
+  std::set<topobag::NodeIndex> right_matched;
+  for (const topobag::Correspondence& pair : pose.inliers) {
+    left_matched.insert(pair.candidate);
+    right_matched.insert(pair.query);
+  }
+  const ClassColors colors = colors_of(candidate.graph, query.graph);
+  left.draw(out, left_matched, colors);
+  right.draw(out, right_matched, colors);
+  for (const topobag::Correspondence& pair : pose.inliers) {
+    if (!left.shows(pair.candidate) || !right.shows(pair.query)) continue;
+    draw_match(out, left.center(pair.candidate), right.center(pair.query),
+               colors.at(query.graph.node(pair.query).label));
+  }
+  if (with_missing) {
+    for (const topobag::MissingObject& missing : pose.missing) {
+      const GraphPanel& panel = missing.of_candidate ? left : right;
+      if (panel.shows(missing.node)) draw_missing(out, panel.center(missing.node));
+    }
+  }
+  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  left.draw_labels(out, catalog);
+  right.draw_labels(out, catalog);
+  out << "</svg>\n";
+  return out.str();
+}
+
 }  // namespace
 
 std::string match_svg(const RecognitionRun& run) {
@@ -104,44 +163,13 @@ std::string match_svg(const RecognitionRun& run) {
 }
 
 std::string match_svg(const RecognitionRun& run, std::size_t index) {
-  std::ostringstream out;
   const LookUp& look_up = run.look_ups[index];
-  const topobag::CandidateReport& match = *look_up.recognition.accepted;
-  const Keyframe& candidate = run.map[topobag::value(match.id)];
-  const Keyframe& query = run.queries[index];
-  GraphPanel left(candidate.graph);
-  GraphPanel right(query.graph);
-  const Eigen::AlignedBox2d extent = left.extent().merged(right.extent());
-  const double scale = panel_width / extent.sizes().x();
-  const double right_side = 2 * margin + panel_width;
-  left.place(extent, {margin, header}, scale);
-  right.place(extent, {right_side, header}, scale);
+  return pair_svg(run, index, *look_up.recognition.accepted, look_up.error, false);
+}
 
-  open_svg(out, header + scale * extent.sizes().y() + margin);
-  draw_text(out, margin, 30, "title", title_of(run, look_up));
-  draw_text(out, margin, 52, "pose", pose_line(look_up));
-  draw_text(out, margin, header - 8, "place", "map, frame " + std::to_string(candidate.idx));
-  draw_text(out, right_side, header - 8, "place", "query, frame " + std::to_string(query.idx));
-
-  std::set<topobag::NodeIndex> left_matched;
-  std::set<topobag::NodeIndex> right_matched;
-  for (const topobag::Correspondence& pair : match.pose->inliers) {
-    left_matched.insert(pair.candidate);
-    right_matched.insert(pair.query);
-  }
-  const ClassColors colors = colors_of(candidate.graph, query.graph);
-  left.draw(out, left_matched, colors);
-  right.draw(out, right_matched, colors);
-  for (const topobag::Correspondence& pair : match.pose->inliers) {
-    if (!left.shows(pair.candidate) || !right.shows(pair.query)) continue;
-    draw_match(out, left.center(pair.candidate), right.center(pair.query),
-               colors.at(query.graph.node(pair.query).label));
-  }
-  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
-  left.draw_labels(out, catalog);
-  right.draw_labels(out, catalog);
-  out << "</svg>\n";
-  return out.str();
+std::string candidate_svg(const RecognitionRun& run, std::size_t index,
+                          const topobag::CandidateReport& candidate) {
+  return pair_svg(run, index, candidate, std::nullopt, true);
 }
 
 }  // namespace program

@@ -17,4 +17,9 @@ std::string match_svg(const RecognitionRun& run);
 /// Precondition: the look-up has an accepted match.
 std::string match_svg(const RecognitionRun& run, std::size_t index);
 
+/// Draws any candidate of a look-up, accepted or not: the same, with its verdict, and frames about
+/// the objects that were expected and are missing.
+std::string candidate_svg(const RecognitionRun& run, std::size_t index,
+                          const topobag::CandidateReport& candidate);
+
 }  // namespace program

@@ -48,7 +48,20 @@ Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCa
     json["rotation_error_deg"] = look_up.error->rotation_deg;
   }
   if (look_up.verdict) json["verdict"] = to_string(*look_up.verdict);
+  if (match.confidence) json["confidence"] = *match.confidence;
   return json;
+}
+
+const char* to_string(topobag::CalibrationSource source) {
+  return source == topobag::CalibrationSource::null_model ? "null model" : "certain negatives";
+}
+
+Json calibration_json(const CalibratedRun& calibrated) {
+  return {{"false_accept_rate", calibrated.false_accept_rate},
+          {"threshold", calibrated.threshold.score},
+          {"extrapolated", calibrated.threshold.extrapolated},
+          {"source", to_string(calibrated.source)},
+          {"look_ups", calibrated.look_ups}};
 }
 
 /// "2 book, 1 tv"
@@ -107,6 +120,7 @@ std::string to_json(const RecognitionRun& run) {
             {"median_rotation_error_deg", or_null(summary.median_rotation_error_deg)},
             {"median_query_ms", or_null(summary.median_query_ms)},
             {"matches", Json::array()}};
+  if (run.calibrated) json["calibration"] = calibration_json(*run.calibrated);
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
     if (run.look_ups[i].recognition) json["matches"].push_back(match_json(run, i, catalog));
   }
@@ -141,6 +155,15 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
   if (summary.median_translation_error_m) {
     out << "  median error  " << std::setprecision(3) << *summary.median_translation_error_m
         << " m, " << std::setprecision(1) << *summary.median_rotation_error_deg << "°\n";
+  }
+  if (run.calibrated) {
+    const CalibratedRun& calibrated = *run.calibrated;
+    out << "  threshold     " << std::setprecision(2) << calibrated.threshold.score
+        << " for a false-accept rate of " << std::defaultfloat << std::setprecision(6)
+        << calibrated.false_accept_rate
+        << (calibrated.threshold.extrapolated ? ", extrapolated" : "") << " from "
+        << calibrated.look_ups << " look-ups (" << to_string(calibrated.source) << ")\n"
+        << std::fixed;
   }
   if (summary.median_query_ms) {
     out << "  median query  " << std::setprecision(2) << *summary.median_query_ms << " ms\n";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <topobag/evaluation/pose_error.hpp>
+#include <topobag/recognition/calibration.hpp>
 #include <topobag/recognition/recognition.hpp>
 
 #include "keyframe_graphs.hpp"
@@ -26,13 +27,22 @@ struct LookUp {
   bool is_query() const { return recognition.usable && !recognition.candidates.empty(); }
 };
 
+/// A threshold that was asked for as a false-accept rate.
+struct CalibratedRun {
+  double false_accept_rate = 0.01;
+  topobag::ScoreThreshold threshold{};
+  topobag::CalibrationSource source = topobag::CalibrationSource::null_model;
+  std::size_t look_ups = 0;  ///< that it was learnt from
+};
+
 /// Key frames looked up in a map.
 struct RecognitionRun {
   std::string map_set;
   std::string query_set;
   std::vector<Keyframe> map;
   std::vector<Keyframe> queries;
-  std::vector<LookUp> look_ups;  ///< parallel to `queries`
+  std::vector<LookUp> look_ups;               ///< parallel to `queries`
+  std::optional<CalibratedRun> calibrated{};  ///< where the decision was
 };
 
 /// The name of a table without its folder.

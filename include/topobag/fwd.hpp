@@ -16,6 +16,7 @@ template <typename Scalar>
 struct PinholeCamera;
 template <typename Pixel>
 class DepthView;
+class DepthGrid;
 struct Edge;
 template <typename Scalar>
 struct View;
@@ -23,6 +24,7 @@ template <typename Scalar>
 class TopologyGraph;
 template <typename Scalar>
 class LocalGraph;
+class ClassConfusion;
 struct RelativePose;
 struct GraphMatch;
 struct EntryInfo;
@@ -30,6 +32,8 @@ struct QueryOptions;
 template <typename Graph, typename Similarity>
 class BagOfTopologyGraphs;
 struct Recognition;
+class Calibration;
+struct Explanation;
 template <typename Bag>
 class Relocalizer;
 template <typename Bag>

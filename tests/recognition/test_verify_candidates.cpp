@@ -237,7 +237,7 @@ void check_two_fold(const TopologyGraph<>& room, const Eigen::Isometry3d& T_symm
   const RelativePose &one = *report.pose, &other = report.other_poses.front();
   CHECK(one.inliers.size() == room.size());
   CHECK(other.inliers.size() == room.size());
-  CHECK(other.score() == Approx(one.score()).margin(1e-6));
+  CHECK(other.support() == Approx(one.support()).margin(1e-6));
   for (const Eigen::Isometry3d& expected : {origin, T_symmetry}) {
     const auto is_it = [&](const RelativePose& pose) {
       return pose.T_candidate_query.isApprox(expected, 1e-6);

@@ -40,16 +40,22 @@ inline std::vector<ExplainedStage> stages_of(const CandidateReport& report,
                     deviation, matching.max_rotation_deviation, false, " rad"});
   stages.push_back({"score", report.margin() >= 0.0, pose.score(), report.threshold, true, {}});
   const double min_lead = options.decision.min_lead;
+  const RelativePose* nearest = nullptr;  // of the other poses: a rival, or the best supported
+  bool rival = false;
   for (const RelativePose& other : report.other_poses) {
-    const bool rival = is_rival(other, pose, min_lead);
-    if (!rival && other.degenerate) continue;
-    stages.push_back({other.degenerate ? "lead over a degenerate pose" : "lead over the next pose",
+    const bool is_one = is_rival(other, pose, min_lead);
+    if (!is_one && (rival || other.degenerate)) continue;
+    if (nearest && is_one == rival && nearest->support() >= other.support()) continue;
+    nearest = &other;
+    rival = is_one;
+  }
+  if (nearest) {
+    stages.push_back({nearest->degenerate ? "lead over a degenerate pose" : "lead over other poses",
                       !rival,
-                      pose.score() - other.score(),
-                      other.degenerate ? 0.0 : min_lead,
+                      pose.support() - nearest->support(),
+                      nearest->degenerate ? 0.0 : min_lead,
                       true,
                       {}});
-    break;  // they are sorted: this one is the nearest
   }
   if (best_margin && (report.verdict == Verdict::accepted || report.verdict == Verdict::outdone)) {
     stages.push_back({"score over the threshold, of all candidates",

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "calibration_options.hpp"
+#include "commands.hpp"
+#include "csv_reader.hpp"
+#include "explanation_json.hpp"
+#include "look_up.hpp"
+#include "match_svg.hpp"
+#include "recognition_options.hpp"
+
+namespace program {
+namespace {
+
+struct ExplainArguments {
+  MapAndQuery tables;
+  std::int64_t frame = 0;
+  std::size_t candidates = 3;
+  std::string svg;
+  bool json = false;
+  RecognitionArguments recognition;  ///< its key frames' part
+  CalibrationArguments calibration;
+};
+
+/// Leaves the run the query of this frame alone.
+void keep_query(RecognitionRun& run, std::int64_t frame) {
+  const auto found = std::find_if(run.queries.begin(), run.queries.end(),
+                                  [&](const Keyframe& query) { return query.idx == frame; });
+  if (found == run.queries.end()) {
+    throw InputError("--frame " + std::to_string(frame),
+                     "no key frame of the query has this idx; --keyframe-interval 0 takes all "
+                     "frames");
+  }
+  run.queries = {*found};
+}
+
+/// The candidate that the drawing shows: the accepted one, or the best.
+const topobag::CandidateReport& shown_candidate(const topobag::Recognition& recognition,
+                                                std::int64_t frame) {
+  if (recognition.accepted) return *recognition.accepted;
+  if (recognition.candidates.empty()) {
+    throw InputError("--frame " + std::to_string(frame), "there is no candidate to draw");
+  }
+  return recognition.candidates.front();
+}
+
+void explain_frame(const ExplainArguments& arguments) {
+  RecognitionRun run = read_map_and_query(arguments.tables, arguments.recognition.keyframes,
+                                          arguments.recognition.image_size);
+  keep_query(run, arguments.frame);
+  look_up_in_map(run, calibration_request(arguments.calibration, arguments.recognition));
+  topobag::Explanation explanation = explain_look_up(run, 0);
+  if (!arguments.svg.empty()) {
+    const auto& shown = shown_candidate(run.look_ups[0].recognition, arguments.frame);
+    write_file(arguments.svg, candidate_svg(run, 0, shown));
+  }
+  if (arguments.json) {
+    std::cout << output_text(to_json(explanation), true);
+    return;
+  }
+  const std::size_t all = explanation.candidates.size();
+  explanation.candidates.resize(std::min(all, arguments.candidates));
+  std::cout << "frame " << arguments.frame << ": " << to_string(explanation);
+  if (all > explanation.candidates.size()) {
+    std::cout << "and " << all - explanation.candidates.size() << " more candidates\n";
+  }
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("explain", "Tells why a key frame was or was not found in a map");
+  const auto arguments = std::make_shared<ExplainArguments>();
+  command
+      .add_option("--map", arguments->tables.map, "Table of the map: MAP.frames.csv, MAP.nodes.csv")
+      ->required();
+  command.add_option("--query", arguments->tables.query, "Table of the key frame to explain")
+      ->required();
+  command.add_option("--frame", arguments->frame, "Its idx in the table")->required();
+  add_keyframe_options(command, arguments->recognition.keyframes,
+                       arguments->recognition.image_size);
+  add_camera_option(command, "--map-camera", arguments->tables.map_camera,
+                    "The map's camera, where it is another one");
+  add_calibration_options(command, arguments->calibration);
+  command.add_option("--candidates", arguments->candidates, "Candidates to print, best first")
+      ->capture_default_str();
+  command.add_option("--svg", arguments->svg, "File to draw the best candidate in");
+  command.add_flag("--json", arguments->json, "All candidates in JSON");
+  command.callback([arguments] { explain_frame(*arguments); });
+}
+
+}  // namespace program

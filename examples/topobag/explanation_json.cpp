@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "explanation_json.hpp"
+
+#include <array>
+
+namespace program {
+namespace {
+
+std::array<double, 3> point_numbers(const Eigen::Vector3d& point) {
+  return {point.x(), point.y(), point.z()};
+}
+
+Json stage_json(const topobag::ExplainedStage& stage) {
+  Json json{{"name", stage.name},
+            {"passed", stage.passed},
+            {"value", stage.value},
+            {stage.at_least ? "at_least" : "at_most", stage.asked}};
+  if (!stage.passed) json["missed_by"] = stage.missed_by();
+  return json;
+}
+
+Json missing_json(const topobag::ExplainedMissing& missing) {
+  return {{"class", missing.class_name},
+          {"of", missing.of_candidate ? "candidate" : "query"},
+          {"position_m", point_numbers(missing.position)},
+          {"views", missing.views},
+          {"views_with_depth", missing.measured_views},
+          {"cost", missing.cost}};
+}
+
+Json change_json(const topobag::ExplainedChange& explained) {
+  const topobag::ObjectChange& change = explained.change;
+  Json json{{"kind", to_string(change.kind)}, {"class", explained.class_name}};
+  if (change.before) json["before_m"] = point_numbers(*change.before);
+  if (change.after) json["after_m"] = point_numbers(*change.after);
+  return json;
+}
+
+Json candidate_json(const topobag::CandidateExplanation& candidate) {
+  Json json{{"map_idx", topobag::value(candidate.id)},
+            {"verdict", to_string(candidate.verdict)},
+            {"similarity", candidate.similarity},
+            {"confidence", or_null(candidate.confidence)},
+            {"stages", Json::array()},
+            {"matched", Json::array()},
+            {"missing", Json::array()},
+            {"changes", Json::array()}};
+  for (const auto& stage : candidate.stages) json["stages"].push_back(stage_json(stage));
+  for (const auto& match : candidate.matched) {
+    json["matched"].push_back({{"candidate", match.candidate_class},
+                               {"query", match.query_class},
+                               {"distance_m", match.distance},
+                               {"deviations", match.deviations}});
+  }
+  for (const auto& missing : candidate.missing) json["missing"].push_back(missing_json(missing));
+  for (const auto& change : candidate.changes) json["changes"].push_back(change_json(change));
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const topobag::Explanation& explanation) {
+  Json json{{"objects", explanation.objects},
+            {"usable", explanation.usable},
+            {"candidates", Json::array()}};
+  for (const auto& candidate : explanation.candidates) {
+    json["candidates"].push_back(candidate_json(candidate));
+  }
+  return json;
+}
+
+}  // namespace program

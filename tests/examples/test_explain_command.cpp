@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "csv_reader.hpp"
+#include "run_program.hpp"
+#include "sample.hpp"
+
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string sample_tables = "--map " + sample_map + " --query " + sample_query;
+
+Json json_of(const std::string& arguments) {
+  const ProgramRun run = run_program(arguments + sample_options + " --json");
+  CAPTURE(arguments, run.err);
+  REQUIRE(run.exit_code == 0);
+  return Json::parse(run.out);
+}
+
+Json explanation_of(int frame, const std::string& options = "") {
+  return json_of("explain " + sample_tables + " --frame " + std::to_string(frame) + options);
+}
+
+/// A frame that `localize` accepts, and the map's it goes to.
+Json accepted_match() { return json_of("localize " + sample_tables).at("matches").at(0); }
+
+}  // namespace
+
+TEST_CASE("explain says of every candidate what localize decided, and why", "[examples]") {
+  const Json match = accepted_match();
+  const Json explanation = explanation_of(match.at("query_idx"));
+  CHECK(explanation.at("usable") == true);
+  CHECK(explanation.at("candidates").size() > 60);
+  std::size_t accepted = 0;
+  for (const Json& candidate : explanation.at("candidates")) {
+    bool failed = false;
+    for (const Json& stage : candidate.at("stages")) failed |= !stage.at("passed").get<bool>();
+    CHECK(failed == (candidate.at("verdict") != "accepted"));
+    if (failed) continue;
+    ++accepted;
+    CHECK(candidate.at("map_idx") == match.at("map_idx"));
+    CHECK(candidate.at("matched").size() >= 3);
+  }
+  CHECK(accepted == 1);
+}
+
+TEST_CASE("explain tells a reader of the best candidates", "[examples]") {
+  const int frame = accepted_match().at("query_idx");
+  const ProgramRun run = run_program("explain " + sample_tables + sample_options +
+                                     " --candidates 2 --frame " + std::to_string(frame));
+  CHECK(run.exit_code == 0);
+  CHECK(run.out.find("accepted") != std::string::npos);
+  CHECK(run.out.find("passed  score") != std::string::npos);
+  CHECK(run.out.find("more candidates") != std::string::npos);
+}
+
+TEST_CASE("explain draws the candidate", "[examples]") {
+  const ScratchFolder folder;
+  const Json match = accepted_match();
+  explanation_of(match.at("query_idx"), " --svg " + folder.path("c.svg"));
+  const std::string drawing = program::read_file(folder.path("c.svg"));
+  CHECK(drawing.find("<svg ") == 0);
+  CHECK(drawing.find("nan") == std::string::npos);
+  CHECK(drawing.find("query, frame " + std::to_string(match.at("query_idx").get<int>())) !=
+        std::string::npos);
+}
+
+TEST_CASE("a frame that is no key frame is refused with what to do", "[examples]") {
+  CHECK(refusal("explain " + sample_tables + sample_options + " --frame 999999")
+            .find("--frame 999999: no key frame of the query has this idx") == 0);
+}
+
+TEST_CASE("a calibrated decision reports what it rests on", "[examples]") {
+  const std::string command = "localize " + sample_tables + " --calibrate";
+  const Json report = json_of(command + " --false-accept-rate 0.02");
+  const Json& calibration = report.at("calibration");
+  CHECK(calibration.at("false_accept_rate") == 0.02);
+  CHECK(calibration.at("source") == "null model");
+  CHECK(calibration.at("look_ups") == 400);
+  CHECK(calibration.at("extrapolated") == false);
+  CHECK(report.at("accepted") > 0);
+  for (const Json& match : report.at("matches")) {
+    CHECK(match.at("score") >= calibration.at("threshold"));
+    CHECK(match.at("confidence") > 0.9);
+  }
+  const Json strict = json_of(command + " --false-accept-rate 1e-5").at("calibration");
+  CHECK(strict.at("extrapolated") == true);
+  CHECK(strict.at("threshold") > calibration.at("threshold"));
+  CHECK_FALSE(json_of("localize " + sample_tables).contains("calibration"));
+}
+
+TEST_CASE("a false-accept rate needs a calibration and is a share", "[examples]") {
+  const std::string command = "localize --map a --query b --camera 5,5,3,2 ";
+  CHECK(refusal(command + "--false-accept-rate 0.1").find("--calibrate") != std::string::npos);
+  CHECK(refusal(command + "--calibrate --false-accept-rate 0").find("--false-accept-rate") !=
+        std::string::npos);
+  CHECK(refusal(command + "--other-place c").find("--calibrate") != std::string::npos);
+}
