@@ -70,7 +70,7 @@ TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
           ++refused;
           break;
         case Verdict::ambiguous:
-          CHECK(candidate.failed()->name.find("lead over") == 0);
+          CHECK(candidate.failed()->name.find(" pose") != std::string::npos);
           ++refused;
           break;
         case Verdict::degenerate:

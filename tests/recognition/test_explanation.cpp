@@ -51,8 +51,9 @@ TEST_CASE("an explanation in words", "[recognition]") {
   CHECK(says(text, "passed  objects that agree"));
   CHECK(says(text, "failed  score: -0.40 of at least 0.05, missed by 0.45"));
   CHECK(says(text, "matched tv as laptop, off by 0.04 m"));
-  CHECK(says(text, "missing vase of the candidate, expected in 2 views (detected boxes"));
-  CHECK(says(text, "missing cup of the query, expected in 1 view (measured depth"));
+  CHECK(says(text,
+             "missing vase of the candidate, expected in 2 views by detected boxes, costs 0.30"));
+  CHECK(says(text, "missing cup of the query, expected in 1 view by measured depth, costs 0.25"));
   CHECK(says(text, "gone vase from"));
 }
 

@@ -49,11 +49,14 @@ inline std::vector<ExplainedStage> stages_of(const CandidateReport& report,
     nearest = &other;
     rival = is_one;
   }
-  if (nearest) {
-    stages.push_back({nearest->degenerate ? "lead over a degenerate pose" : "lead over other poses",
+  if (nearest && nearest->degenerate) {
+    stages.push_back(
+        {"score over a degenerate pose", false, pose.score() - nearest->score(), 0.0, true, {}});
+  } else if (nearest) {
+    stages.push_back({"support over other poses",
                       !rival,
                       pose.support() - nearest->support(),
-                      nearest->degenerate ? 0.0 : min_lead,
+                      min_lead,
                       true,
                       {}});
   }

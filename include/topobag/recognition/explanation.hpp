@@ -104,11 +104,13 @@ inline std::string to_string(const CandidateExplanation& candidate) {
     out << ", off by " << match.distance << " m (" << match.deviations << " deviations)\n";
   }
   for (const ExplainedMissing& missing : candidate.missing) {
+    const bool by_depth = missing.measured_views > 0;
+    const bool by_boxes = missing.measured_views < missing.views;
     out << "  missing " << missing.class_name << " of the "
         << (missing.of_candidate ? "candidate" : "query") << ", expected in " << missing.views
-        << (missing.views == 1 ? " view" : " views") << " ("
-        << (missing.measured_views > 0 ? "measured depth" : "detected boxes")
-        << " hide nothing), costs " << missing.cost << '\n';
+        << (missing.views == 1 ? " view" : " views") << " by " << (by_depth ? "measured depth" : "")
+        << (by_depth && by_boxes ? " and " : "") << (by_boxes ? "detected boxes" : "") << ", costs "
+        << missing.cost << '\n';
   }
   for (const ExplainedChange& explained : candidate.changes) {
     const ObjectChange& change = explained.change;
