@@ -20,8 +20,9 @@ struct TemporalOptions {
   double max_rotation = 0.5235988;  ///< and rad; between them is the front end's up to this
 };
 
-/// Believes a match when the key frames before it were matched alike: one false match is an
-/// accident, three in a row that move with the camera are not.
+/// Believes a match when the key frames before it were matched alike: an accident does not repeat
+/// itself in the way the camera moves. A look-alike layout does, as long as it is in view: against
+/// that the score has to guard.
 ///
 /// After the consistent groups of ORB-SLAM2 (Mur-Artal, Tardós 2017) and the islands of
 /// DLoopDetector (Gálvez-López, Tardós 2012), which ask for successive candidates that lie close
