@@ -46,11 +46,11 @@ std::vector<Detection> read_yolo_text(const std::string& path,
 }
 
 /// The names behind COCO's numbers of images and categories, where the file has them.
-std::map<std::string, std::string> names_by_id(const Json& file, const char* list,
+std::map<std::string, std::string> names_by_id(const nlohmann::json& file, const char* list,
                                                const char* name) {
   std::map<std::string, std::string> names;
   if (!file.is_object() || !file.contains(list)) return names;
-  for (const Json& entry : file.at(list)) {
+  for (const nlohmann::json& entry : file.at(list)) {
     names[entry.at("id").dump()] = entry.at(name).get<std::string>();
   }
   return names;
@@ -73,17 +73,17 @@ BoxesByImage read_coco(const std::string& path, const topobag::ClassCatalog& cat
   BoxesByImage boxes;
   std::size_t number = 0;
   try {
-    const Json file = Json::parse(read_file(path));
+    const nlohmann::json file = nlohmann::json::parse(read_file(path));
     const auto images = names_by_id(file, "images", "file_name");
     const auto categories = names_by_id(file, "categories", "name");
-    for (const Json& entry : file.is_array() ? file : file.at("annotations")) {
+    for (const nlohmann::json& entry : file.is_array() ? file : file.at("annotations")) {
       ++number;
-      const Json& image = entry.at("image_id");
+      const nlohmann::json& image = entry.at("image_id");
       const auto named = images.find(image.dump());
       const std::string key = named != images.end() ? named->second
                               : image.is_string()   ? image.get<std::string>()
                                                     : image.dump();
-      const Json& category = entry.at("category_id");
+      const nlohmann::json& category = entry.at("category_id");
       const auto called = categories.find(category.dump());
       const topobag::ClassId label =
           called != categories.end() ? catalog.at(called->second) : coco_class(category.get<int>());
