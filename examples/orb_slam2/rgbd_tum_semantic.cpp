@@ -363,7 +363,7 @@ int main(int argc, char** argv) {
   app.add_flag("--no-wait", arguments.no_wait, "As fast as it goes, not at the camera's pace");
   app.add_option("--window", arguments.window, "Seconds of key frames in one graph");
   app.add_option("--places", arguments.max_places, "Places offered to a lost tracker");
-  app.add_option("--candidates", arguments.candidates, "Key frames whose graphs are matched [8]");
+  app.add_option("--candidates", arguments.candidates, "Key frames whose graphs are matched [3]");
   app.add_option("--out", arguments.out, "Folder for trajectories, loops, re-localizations");
   app.add_option("--kidnap", arguments.kidnap_sequence, "Then shows frames of this sequence alone");
   app.add_option("--kidnap-associations", arguments.kidnap_associations, "Its pairs of images");

@@ -38,7 +38,6 @@ std::string error_of_frame(const std::string& row) {
 
 }  // namespace
 
-
 TEST_CASE("a node table is read to the letter", "[examples]") {
   const NodeTable table = read(
       "idx,frame,timestamp,tx,ty,tz,qx,qy,qz,qw,more\n"

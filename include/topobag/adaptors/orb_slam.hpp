@@ -20,7 +20,7 @@ inline namespace v0 {
 
 struct OrbSlamOptions {
   LocalGraphOptions fusing{};  ///< key frames of `window` s make one graph; 0 = single ones
-  RecognitionOptions recognition = few_candidates(8);
+  RecognitionOptions recognition = few_candidates(3);
   std::size_t max_loops = 5;            ///< verified places offered for a loop
   std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
   double min_loop_gap = 0.0;  ///< s between the key frames of a loop; beside the host's rule that
