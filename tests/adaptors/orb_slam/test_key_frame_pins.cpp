@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
+#include <memory>
 #include <mutex>
-#include <optional>
 #include <thread>
 
 #include <topobag/adaptors/orb_slam/key_frame_pins.hpp>
@@ -15,7 +15,7 @@ TEST_CASE("whoever forgets a pointer waits for older readers alone", "[adaptors]
   KeyFramePins pins;
   std::atomic<bool> forgotten{false};
   KeyFramePins::Lock lock(mutex);
-  std::optional<KeyFramePins::Scope> reader(std::in_place, pins, lock);
+  auto reader = std::make_unique<KeyFramePins::Scope>(pins, lock);
   CHECK_FALSE(lock.owns_lock());
 
   std::thread forgetting([&] {
@@ -26,7 +26,7 @@ TEST_CASE("whoever forgets a pointer waits for older readers alone", "[adaptors]
   // A reader that came later must not hold the other up; whether it is later is up to the
   // scheduler, which is why nothing waits on it.
   KeyFramePins::Lock later_lock(mutex);
-  std::optional<KeyFramePins::Scope> later(std::in_place, pins, later_lock);
+  auto later = std::make_unique<KeyFramePins::Scope>(pins, later_lock);
   CHECK_FALSE(forgotten);
   reader.reset();
   later.reset();
