@@ -74,6 +74,7 @@
 #include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/bag_view.hpp>
+#include <topobag/bag/build_indexed_bag.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
