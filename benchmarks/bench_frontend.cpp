@@ -69,7 +69,7 @@ std::vector<Cost> run(const program::NodeTable& table, const PinholeCamera<>& ca
     window.add(frame.timestamp, seen.nodes, T_previous_current, std::move(seen.view));
     TopologyGraph<> graph = window.graph();
     cost.fuse = since(clock);
-    accepted += map.localize(graph) ? 1 : 0;
+    if (map.localize(graph)) ++accepted;
     cost.find = since(clock);
     if (grow && graph.is_matchable()) map.map().add(KeyframeId{costs.size()}, std::move(graph));
     cost.add = since(clock);
