@@ -19,6 +19,7 @@
 #include "bag/saved_bags.hpp"
 #include "catch.hpp"
 #include "child_process.hpp"
+#include "error_text.hpp"
 #include "scratch_folder.hpp"
 
 using namespace topobag;
@@ -26,16 +27,6 @@ using namespace topobag;
 namespace {
 
 using Bag = BagOfTopologyGraphs<>;
-
-template <typename Call>
-std::string error_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 void add_all(SqliteBag<>& map, const Bag& bag, std::uint64_t first_id = 0) {
   bag.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
@@ -148,9 +139,9 @@ TEST_CASE("an old map is localized in read-only, then mapped on", "[sqlite]") {
   {
     SqliteBag<> map(path, read_only());
     CHECK(map.bag().size() == 5);
-    CHECK(error_of([&] { map.add(KeyframeId{77}, {}); }) ==
+    CHECK(error_text([&] { map.add(KeyframeId{77}, {}); }) ==
           path + ": the map was opened for reading only");
-    CHECK(error_of([&] { map.begin_session("x"); }) ==
+    CHECK(error_text([&] { map.begin_session("x"); }) ==
           path + ": the map was opened for reading only");
     CHECK(map.bag().size() == 5);
   }
@@ -191,24 +182,24 @@ TEST_CASE("the sqlite3 shell can read a map", "[sqlite]") {
 TEST_CASE("files that are no map of ours are refused and stay as they are", "[sqlite]") {
   const ScratchFolder folder;
   const std::string text = folder.write("text.db", std::string(5000, 'x'));
-  CHECK(error_of([&] { SqliteBag<> map(text); }) ==
+  CHECK(error_text([&] { SqliteBag<> map(text); }) ==
         text + ": file is not a database; take another copy");
   const std::string foreign = folder.path("foreign.db");
   detail::SqliteConnection(foreign, false).run("CREATE TABLE photos(id)");
   const std::string before = content_of(foreign);
-  CHECK(error_of([&] { SqliteBag<> map(foreign); }) ==
+  CHECK(error_text([&] { SqliteBag<> map(foreign); }) ==
         foreign + ": it is a data base, but no map of topobag");
   CHECK(content_of(foreign) == before);
-  CHECK(error_of([&] { SqliteBag<> map(folder.path("none.db"), read_only()); }) ==
+  CHECK(error_text([&] { SqliteBag<> map(folder.path("none.db"), read_only()); }) ==
         folder.path("none.db") + ": unable to open database file");
   const std::string empty = folder.write("empty.db", "");
-  CHECK(error_of([&] { SqliteBag<> map(empty, read_only()); }) ==
+  CHECK(error_text([&] { SqliteBag<> map(empty, read_only()); }) ==
         empty + ": it is a data base, but no map of topobag");
 
   const std::string later = folder.path("later.db");
   { SqliteBag<> map(later); }
   detail::SqliteConnection(later, false).run("PRAGMA user_version = 2");
-  CHECK(error_of([&] { SqliteBag<> map(later); }) ==
+  CHECK(error_text([&] { SqliteBag<> map(later); }) ==
         later + ": it is a map of a later version of topobag (schema 2): update topobag");
 }
 
@@ -221,7 +212,7 @@ TEST_CASE("a map made with other classes is refused", "[sqlite]") {
   { SqliteBag<> map(path, coco); }
   { SqliteBag<> map(path, coco); }
   { SqliteBag<> map(path); }
-  CHECK(error_of([&] { SqliteBag<> map(path, paper); }) ==
+  CHECK(error_text([&] { SqliteBag<> map(path, paper); }) ==
         path +
             ": its class numbers mean other names than yours; open it with the catalog that it was "
             "made with");
@@ -238,7 +229,7 @@ TEST_CASE("a graph damaged within the file is named", "[sqlite]") {
   }
   detail::SqliteConnection(path, false)
       .run("UPDATE keyframe SET graph = zeroblob(length(graph)) WHERE id = 4");
-  CHECK(error_of([&] { SqliteBag<> map(path); }) ==
+  CHECK(error_text([&] { SqliteBag<> map(path); }) ==
         path + ": key frame 4 cannot be read: its checksum does not fit: it is damaged");
 }
 
@@ -251,7 +242,7 @@ TEST_CASE("a second writer is told to open the map again", "[sqlite]") {
   SqliteBag<> second(path);
   const SqliteBag<> reader(path, read_only());
   second.add(KeyframeId{2}, random_graph(random, 5));
-  CHECK(error_of([&] { first.add(KeyframeId{3}, random_graph(random, 5)); }) ==
+  CHECK(error_text([&] { first.add(KeyframeId{3}, random_graph(random, 5)); }) ==
         path + ": another process has changed the map; open it again");
   CHECK(first.bag().size() == 1);
   CHECK(reader.bag().size() == 1);
@@ -274,7 +265,7 @@ TEST_CASE("what a map refuses changes nothing", "[sqlite]") {
     std::vector<SemanticNode<>> far(1);
     far[0].position = Eigen::Vector3d(1e9, 0, 0);
     CHECK_THROWS_AS(map.add(KeyframeId{2}, TopologyGraph<>(far)), InvalidValue);
-    CHECK(error_of([&] { map.add(KeyframeId{1}, {}); }) ==
+    CHECK(error_text([&] { map.add(KeyframeId{1}, {}); }) ==
           path + ": key frame 1 is in the map already: use update");
     CHECK(saved(map.bag()) == before);
   }
@@ -292,7 +283,7 @@ TEST_CASE("a full disk is an error and loses nothing of a map", "[sqlite]") {
     ::setrlimit(RLIMIT_FSIZE, &size);
     SqliteBag<> map(path);
     std::uint64_t id = 1;
-    const std::string error = error_of([&] {
+    const std::string error = error_text([&] {
       for (;; ++id) map.add(KeyframeId{id}, random_graph(random, 12));
     });
     return std::to_string(map.bag().size() == id ? id : 0) + ' ' + error;
@@ -318,7 +309,7 @@ TEST_CASE("a map in a folder that cannot be written to is read, not written", "[
   };
   const std::string read = as_nobody(
       [&] { return std::to_string(SqliteBag<>(path, read_only()).bag().size()) + " read"; });
-  const std::string written = as_nobody([&] { return error_of([&] { SqliteBag<> map(path); }); });
+  const std::string written = as_nobody([&] { return error_text([&] { SqliteBag<> map(path); }); });
   REQUIRE(::chmod(folder.path().c_str(), 0755) == 0);
   CHECK(read == "1 read");
   CHECK(written == path + ": attempt to write a readonly database");

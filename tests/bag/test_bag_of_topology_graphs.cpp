@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -10,6 +8,7 @@
 
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 
+#include "bag/refusals.hpp"
 #include "catch.hpp"
 #include "random_graphs.hpp"
 
@@ -58,15 +57,6 @@ void check_query(const BagOfTopologyGraphs<Graph, Similarity>& bag,
     found.emplace_back(-candidate.score, value(candidate.id));
   }
   CHECK(found == expected<Similarity>(model, query, options));
-}
-
-std::string text_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 }  // namespace
@@ -158,21 +148,5 @@ TEST_CASE("ties are cut off by id", "[bag]") {
 }
 
 TEST_CASE("what is refused says why and changes nothing", "[bag]") {
-  BagOfTopologyGraphs<> bag;
-  bag.add(KeyframeId{7}, Graph{});
-  EntryInfo bad;
-  bad.stamp = std::nan("");
-  CHECK(text_of([&] { bag.add(KeyframeId{7}, Graph{}); }) ==
-        "key frame 7 is in the bag already: use update");
-  CHECK(text_of([&] { bag.update(KeyframeId{8}, Graph{}); }) ==
-        "key frame 8 is not in the bag: use add");
-  CHECK(text_of([&] { bag.add(KeyframeId{8}, Graph{}, bad); }) ==
-        "the entry's stamp is not finite");
-  CHECK(text_of([&] { bag.update(KeyframeId{7}, Graph{}, bad); }) ==
-        "the entry's stamp is not finite");
-  CHECK(bag.size() == 1);
-  CHECK_FALSE(bag.info(KeyframeId{7})->stamp);
-  CHECK_FALSE(bag.find(KeyframeId{8}));
-  CHECK_FALSE(bag.info(KeyframeId{8}));
-  CHECK_FALSE(bag.erase(KeyframeId{8}));
+  check_refusals<BagOfTopologyGraphs<>>();
 }

@@ -2,10 +2,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -16,6 +14,7 @@
 #include <topobag/bag/indexed_bag.hpp>
 
 #include "bag/desk_pieces.hpp"
+#include "bag/refusals.hpp"
 #include "catch.hpp"
 #include "recombined_graphs.hpp"
 
@@ -27,15 +26,6 @@ using Graph = TopologyGraph<>;
 using Oracle = BagOfTopologyGraphs<>;
 
 Graph stored(const Graph& graph) { return decode<double>(encode(graph)); }
-
-std::string text_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 QueryOptions random_options(RecombinedGraphs& source, std::uint64_t ids) {
   QueryOptions options;
@@ -352,22 +342,7 @@ TEST_CASE("a view and a copy stay as they were", "[bag][index]") {
 }
 
 TEST_CASE("what an indexed bag refuses changes nothing", "[bag][index]") {
-  IndexedBag bag;
-  bag.add(KeyframeId{7}, Graph{});
-  EntryInfo bad;
-  bad.stamp = std::nan("");
-  CHECK(text_of([&] { bag.add(KeyframeId{7}, Graph{}); }) ==
-        "key frame 7 is in the bag already: use update");
-  CHECK(text_of([&] { bag.update(KeyframeId{8}, Graph{}); }) ==
-        "key frame 8 is not in the bag: use add");
-  CHECK(text_of([&] { bag.add(KeyframeId{8}, Graph{}, bad); }) ==
-        "the entry's stamp is not finite");
-  CHECK(text_of([&] { bag.update(KeyframeId{7}, Graph{}, bad); }) ==
-        "the entry's stamp is not finite");
-  CHECK(bag.size() == 1);
-  CHECK_FALSE(bag.info(KeyframeId{7})->stamp);
-  CHECK_FALSE(bag.find(KeyframeId{8}));
-  CHECK_FALSE(bag.erase(KeyframeId{8}));
+  check_refusals<IndexedBag>();
 }
 
 TEST_CASE("bags merge, and say where each key frame went", "[bag][index]") {

@@ -19,6 +19,7 @@
 #include "bag/saved_bags.hpp"
 #include "catch.hpp"
 #include "child_process.hpp"
+#include "error_text.hpp"
 #include "scratch_folder.hpp"
 
 using namespace topobag;
@@ -26,17 +27,6 @@ using namespace topobag;
 namespace {
 
 using Bag = BagOfTopologyGraphs<>;
-
-/// The text of the error that `call` throws.
-template <typename Call>
-std::string error_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 std::size_t files_in(const ScratchFolder& folder) {
   const std::filesystem::directory_iterator begin(folder.path()), end;
@@ -78,14 +68,14 @@ TEST_CASE("a bag in memory stays as it was when a file is refused", "[bag][snaps
   const std::string path = folder.write("cut.bag", before.substr(0, 200));
   CHECK_THROWS_AS(bag = load(path), FormatError);
   CHECK(saved(bag) == before);
-  CHECK(error_of([&] { load(path); }).find(path + ": entry ") == 0);
+  CHECK(error_text([&] { load(path); }).find(path + ": entry ") == 0);
   folder.write("long.bag", before + '\0');
-  CHECK(error_of([&] { load(folder.path("long.bag")); }) ==
+  CHECK(error_text([&] { load(folder.path("long.bag")); }) ==
         folder.path("long.bag") +
             ": it goes on after its last entry: it is damaged; take another copy");
-  CHECK(error_of([&] { load(folder.path("none.bag")); }) ==
+  CHECK(error_text([&] { load(folder.path("none.bag")); }) ==
         folder.path("none.bag") + " cannot be opened: No such file or directory");
-  CHECK(error_of([&] { inspect(folder.path()); }) ==
+  CHECK(error_text([&] { inspect(folder.path()); }) ==
         folder.path() + ": it is cut off; take a complete copy");
 }
 
@@ -149,7 +139,7 @@ TEST_CASE("a full disk is an error and leaves the old file", "[bag][snapshot]") 
       ::signal(SIGXFSZ, SIG_IGN);
       const ::rlimit size{limit, limit};
       ::setrlimit(RLIMIT_FSIZE, &size);
-      return error_of([&] { save(larger, path); });
+      return error_text([&] { save(larger, path); });
     });
     CHECK(said == path + " cannot be written: File too large");
     CHECK(content_of(path) == saved(old));
@@ -168,16 +158,16 @@ TEST_CASE("a folder that cannot be written to is an error and leaves the old fil
   const std::string said = text_from_child([&] {
     // Root may write anywhere: be nobody.
     if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) return std::string{};
-    return error_of([&] { save(random_bag(random, 5), path); });
+    return error_text([&] { save(random_bag(random, 5), path); });
   });
   REQUIRE(::chmod(folder.path().c_str(), 0755) == 0);
   CHECK(said == path + " cannot be written: Permission denied");
   CHECK(content_of(path) == saved(bag));
-  CHECK(error_of([&] { save(bag, folder.path("none/room.bag")); }) ==
+  CHECK(error_text([&] { save(bag, folder.path("none/room.bag")); }) ==
         folder.path("none/room.bag") + " cannot be written: No such file or directory");
   CHECK(files_in(folder) == 1);
   std::filesystem::create_directory(folder.path("rooms"));
-  CHECK(error_of([&] { save(bag, folder.path("rooms")); }) ==
+  CHECK(error_text([&] { save(bag, folder.path("rooms")); }) ==
         folder.path("rooms") + " cannot be written: Is a directory");
   CHECK(files_in(folder) == 2);
 }

@@ -10,7 +10,7 @@ using namespace topobag;
 
 namespace {
 
-Trajectory read(const std::string& text) {
+Trajectory kitti_poses(const std::string& text) {
   std::istringstream stream(text);
   return read_kitti(stream, "00.txt");
 }
@@ -22,7 +22,7 @@ const char* const two_poses =
 }  // namespace
 
 TEST_CASE("a KITTI trajectory is 3×4 matrices, row by row", "[evaluation]") {
-  Trajectory trajectory = read(two_poses);
+  Trajectory trajectory = kitti_poses(two_poses);
   REQUIRE(trajectory.size() == 2);
   CHECK(trajectory[0].T_world_body.isApprox(Eigen::Isometry3d::Identity()));
   CHECK(trajectory[1].T_world_body.translation() == Eigen::Vector3d(4, 5, 6));
@@ -35,11 +35,11 @@ TEST_CASE("a KITTI trajectory is 3×4 matrices, row by row", "[evaluation]") {
 }
 
 TEST_CASE("what is not a KITTI trajectory is refused", "[evaluation]") {
-  CHECK_THROWS_AS(read("1 0 0 0 0 1 0 0 0 0 1\n"), Error);
-  CHECK_THROWS_AS(read("2 0 0 0 0 1 0 0 0 0 1 0\n"), Error);
-  CHECK_THROWS_AS(read("-1 0 0 0 0 1 0 0 0 0 1 0\n"), Error);  // mirrored
-  CHECK_THROWS_AS(read("1 0 0 nan 0 1 0 0 0 0 1 0\n"), Error);
-  Trajectory trajectory = read(two_poses);
+  CHECK_THROWS_AS(kitti_poses("1 0 0 0 0 1 0 0 0 0 1\n"), Error);
+  CHECK_THROWS_AS(kitti_poses("2 0 0 0 0 1 0 0 0 0 1 0\n"), Error);
+  CHECK_THROWS_AS(kitti_poses("-1 0 0 0 0 1 0 0 0 0 1 0\n"), Error);  // mirrored
+  CHECK_THROWS_AS(kitti_poses("1 0 0 nan 0 1 0 0 0 0 1 0\n"), Error);
+  Trajectory trajectory = kitti_poses(two_poses);
   for (const char* text : {"0\n", "0\n0\n", "0\n1\n2\n", "0 0\n1 1\n", "0\nnan\n"}) {
     std::istringstream times(text);
     CHECK_THROWS_AS(read_kitti_times(times, "times.txt", trajectory), Error);

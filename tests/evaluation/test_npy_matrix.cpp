@@ -24,7 +24,7 @@ std::string npy(const std::string& type, const std::string& order, const std::st
   return file;
 }
 
-ScoreMatrix read(const std::string& file) {
+ScoreMatrix matrix_in(const std::string& file) {
   std::istringstream stream(file);
   return read_npy(stream, "scores.npy");
 }
@@ -34,11 +34,11 @@ void check_type(const std::string& type) {
   const std::vector<Number> numbers{1, 2, 3, 4, 5, 6};
   ScoreMatrix rows(2, 3);
   rows << 1, 2, 3, 4, 5, 6;
-  CHECK(read(npy(type, "False", "(2, 3)", numbers)) == rows);
-  CHECK(read(npy(type, "False", "(2,3)", numbers, 2)) == rows);
+  CHECK(matrix_in(npy(type, "False", "(2, 3)", numbers)) == rows);
+  CHECK(matrix_in(npy(type, "False", "(2,3)", numbers, 2)) == rows);
   ScoreMatrix columns(2, 3);
   columns << 1, 3, 5, 2, 4, 6;
-  CHECK(read(npy(type, "True", "(2, 3)", numbers, 3)) == columns);
+  CHECK(matrix_in(npy(type, "True", "(2, 3)", numbers, 3)) == columns);
 }
 
 }  // namespace
@@ -54,24 +54,24 @@ TEST_CASE("matrices of every number type, in rows and in columns", "[evaluation]
   check_type<std::uint32_t>("<u4");
   check_type<std::uint16_t>("<u2");
   check_type<std::uint8_t>("|u1");
-  CHECK(read(npy<double>("<f8", "False", "(0, 7)", {})).cols() == 7);
+  CHECK(matrix_in(npy<double>("<f8", "False", "(0, 7)", {})).cols() == 7);
 }
 
 TEST_CASE("what is not a matrix file is refused", "[evaluation]") {
   const std::vector<double> six{1, 2, 3, 4, 5, 6};
   const std::string good = npy("<f8", "False", "(2, 3)", six);
   for (std::size_t size = 0; size < good.size(); ++size) {
-    CHECK_THROWS_AS(read(good.substr(0, size)), Error);
+    CHECK_THROWS_AS(matrix_in(good.substr(0, size)), Error);
   }
-  CHECK_THROWS_AS(read(good + '\0'), Error);
-  CHECK_THROWS_AS(read("PK\3\4 an archive"), Error);
-  CHECK_THROWS_AS(read(npy("<f8", "False", "(6,)", six)), Error);
-  CHECK_THROWS_AS(read(npy("<f8", "False", "(1, 2, 3)", six)), Error);
-  CHECK_THROWS_AS(read(npy(">f8", "False", "(2, 3)", six)), Error);
-  CHECK_THROWS_AS(read(npy("<f2", "False", "(2, 3)", six)), Error);
-  CHECK_THROWS_AS(read(npy("<f8", "False", "(-2, 3)", six)), Error);
-  CHECK_THROWS_AS(read(npy("<f8", "False", "(4294967296, 4294967296)", six)), Error);
-  CHECK_THROWS_AS(read(npy("<f8", "False", "(99999999, 99999999)", six)), Error);
-  CHECK_THROWS_AS(read(npy("<f8", "False", "(2, 3)", six, 4)), Error);
+  CHECK_THROWS_AS(matrix_in(good + '\0'), Error);
+  CHECK_THROWS_AS(matrix_in("PK\3\4 an archive"), Error);
+  CHECK_THROWS_AS(matrix_in(npy("<f8", "False", "(6,)", six)), Error);
+  CHECK_THROWS_AS(matrix_in(npy("<f8", "False", "(1, 2, 3)", six)), Error);
+  CHECK_THROWS_AS(matrix_in(npy(">f8", "False", "(2, 3)", six)), Error);
+  CHECK_THROWS_AS(matrix_in(npy("<f2", "False", "(2, 3)", six)), Error);
+  CHECK_THROWS_AS(matrix_in(npy("<f8", "False", "(-2, 3)", six)), Error);
+  CHECK_THROWS_AS(matrix_in(npy("<f8", "False", "(4294967296, 4294967296)", six)), Error);
+  CHECK_THROWS_AS(matrix_in(npy("<f8", "False", "(99999999, 99999999)", six)), Error);
+  CHECK_THROWS_AS(matrix_in(npy("<f8", "False", "(2, 3)", six, 4)), Error);
   CHECK_THROWS_AS(read_npy("there/is/no/such.npy"), Error);
 }

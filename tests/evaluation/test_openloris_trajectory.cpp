@@ -10,7 +10,8 @@ using namespace topobag;
 
 namespace {
 
-LifelongTrajectories read(const std::string& text, RepeatedPoses repeated = RepeatedPoses::drop) {
+LifelongTrajectories lifelong_in(const std::string& text,
+                                 RepeatedPoses repeated = RepeatedPoses::drop) {
   std::istringstream stream(text);
   return read_openloris(stream, "cafe.txt", repeated);
 }
@@ -20,9 +21,9 @@ const std::string header = "scene: cafe\nframe:d400_color\n# comment\nmem(GB): 6
 }  // namespace
 
 TEST_CASE("headers with and without a space, 8 or 9 numbers, any order of stamps", "[evaluation]") {
-  const LifelongTrajectories file =
-      read("seq:2\nscene:cafe\n" + header +
-           "3.5 99.0 1 0 0 0 0 0 1\n2.5 2 0 0 0 0 0 1\naided_reloc: false\nscene: home\nseq: 7\n");
+  const LifelongTrajectories file = lifelong_in(
+      "seq:2\nscene:cafe\n" + header +
+      "3.5 99.0 1 0 0 0 0 0 1\n2.5 2 0 0 0 0 0 1\naided_reloc: false\nscene: home\nseq: 7\n");
   CHECK(file.scene == "cafe");
   CHECK(file.frame == "d400_color");
   REQUIRE(file.sequences.size() == 3);
@@ -40,19 +41,19 @@ TEST_CASE("a repeated pose is dropped, across sequences too, unless it is wanted
   const std::string text = header +
                            "1 5 0 0 0 0 0 1\n2 5 0 0 0 0 0 1\n3 6 0 0 0 0 0 1\n4 5 0 0 0 0 0 1\n"
                            "seq: 2\n9 5 0 0 0 0 0 1\n";
-  CHECK(read(text).sequences.at(1).size() == 3);
-  CHECK(read(text).sequences.at(2).empty());
-  CHECK(read(text, RepeatedPoses::keep).sequences.at(1).size() == 4);
-  CHECK(read(text, RepeatedPoses::keep).sequences.at(2).size() == 1);
+  CHECK(lifelong_in(text).sequences.at(1).size() == 3);
+  CHECK(lifelong_in(text).sequences.at(2).empty());
+  CHECK(lifelong_in(text, RepeatedPoses::keep).sequences.at(1).size() == 4);
+  CHECK(lifelong_in(text, RepeatedPoses::keep).sequences.at(2).size() == 1);
 }
 
 TEST_CASE("what is not an OpenLORIS file is refused", "[evaluation]") {
-  CHECK_THROWS_AS(read("1 0 0 0 0 0 0 1\n"), Error);
-  CHECK_THROWS_AS(read("seq: one\n"), Error);
-  CHECK_THROWS_AS(read(header + "seq: 1\n"), Error);
-  CHECK_THROWS_AS(read(header + "1 0 0 0 0 0 1\n"), Error);
-  CHECK_THROWS_AS(read(header + "nan 0 0 0 0 0 0 1\n"), Error);
-  CHECK_THROWS_AS(read(header + "1 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n"), Error);
+  CHECK_THROWS_AS(lifelong_in("1 0 0 0 0 0 0 1\n"), Error);
+  CHECK_THROWS_AS(lifelong_in("seq: one\n"), Error);
+  CHECK_THROWS_AS(lifelong_in(header + "seq: 1\n"), Error);
+  CHECK_THROWS_AS(lifelong_in(header + "1 0 0 0 0 0 1\n"), Error);
+  CHECK_THROWS_AS(lifelong_in(header + "nan 0 0 0 0 0 0 1\n"), Error);
+  CHECK_THROWS_AS(lifelong_in(header + "1 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n"), Error);
 }
 
 TEST_CASE("the sensors of the robot look where they should", "[evaluation]") {

@@ -5,29 +5,25 @@
 #include <topobag/evaluation/score_csv.hpp>
 
 #include "catch.hpp"
+#include "error_text.hpp"
 
 using namespace topobag;
 
 namespace {
 
-std::variant<ScoreMatrix, ScoreList> read(const std::string& text) {
+std::variant<ScoreMatrix, ScoreList> scores_in(const std::string& text) {
   std::istringstream stream(text);
   return read_score_csv(stream, "scores.csv");
 }
 
-std::string complaint(const std::string& text) {
-  try {
-    read(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+std::string scores_complaint(const std::string& text) {
+  return error_text([&] { scores_in(text); });
 }
 
 }  // namespace
 
 TEST_CASE("a matrix, a row per query", "[evaluation]") {
-  const auto scores = std::get<ScoreMatrix>(read("# cosine\n1, 0.5,-2e-3\r\n0.25,nan,1\n"));
+  const auto scores = std::get<ScoreMatrix>(scores_in("# cosine\n1, 0.5,-2e-3\r\n0.25,nan,1\n"));
   REQUIRE(scores.rows() == 2);
   REQUIRE(scores.cols() == 3);
   CHECK(scores(0, 2) == -0.002);
@@ -36,30 +32,33 @@ TEST_CASE("a matrix, a row per query", "[evaluation]") {
 }
 
 TEST_CASE("a list of pairs, with and without relative poses", "[evaluation]") {
-  const auto plain = std::get<ScoreList>(read("query,candidate,score\n7,3,0.5\n8,0,1\n"));
+  const auto plain = std::get<ScoreList>(scores_in("query,candidate,score\n7,3,0.5\n8,0,1\n"));
   REQUIRE(plain.pairs.size() == 2);
   CHECK(plain.pairs[0].query == 7);
   CHECK(plain.pairs[0].candidate == 3);
   CHECK(plain.pairs[1].score == 1.0);
   CHECK(plain.T_candidate_query.empty());
   const auto posed = std::get<ScoreList>(
-      read("query,candidate,score,tx,ty,tz,qx,qy,qz,qw\n7,3,0.5,1,2,3,0,0,0,1\n"));
+      scores_in("query,candidate,score,tx,ty,tz,qx,qy,qz,qw\n7,3,0.5,1,2,3,0,0,0,1\n"));
   REQUIRE(posed.T_candidate_query.size() == 1);
   CHECK(posed.T_candidate_query[0].translation() == Eigen::Vector3d(1, 2, 3));
-  CHECK(std::get<ScoreList>(read("query,candidate,score\n")).pairs.empty());
+  CHECK(std::get<ScoreList>(scores_in("query,candidate,score\n")).pairs.empty());
 }
 
 TEST_CASE("what is neither is refused with file and line", "[evaluation]") {
-  CHECK(complaint("") == "scores.csv holds no scores.");
-  CHECK(complaint("1,2\n1\n").find("scores.csv, line 2: ") == 0);
-  CHECK(complaint("1,2\n1,x\n").find("'x' is not a number") != std::string::npos);
-  CHECK(complaint("1,2\n1,,2\n").find("is not a number") != std::string::npos);
-  CHECK(complaint("1,2\n1,2,\n").find("a number is missing") != std::string::npos);
-  CHECK(complaint("query,match,score\n").find("line 1: the header") != std::string::npos);
-  CHECK(complaint("query,candidate,score\n1,2\n").find("line 2") != std::string::npos);
-  CHECK(complaint("query,candidate,score\n-1,2,0\n").find("row numbers") != std::string::npos);
-  CHECK(complaint("query,candidate,score\n1,2.5,0\n").find("row numbers") != std::string::npos);
-  CHECK(complaint("query,candidate,score\n1,nan,0\n").find("row numbers") != std::string::npos);
-  CHECK(complaint("query,candidate,score,tx,ty,tz,qx,qy,qz,qw\n1,2,0,0,0,0,0,0,0,2\n")
+  CHECK(scores_complaint("") == "scores.csv holds no scores.");
+  CHECK(scores_complaint("1,2\n1\n").find("scores.csv, line 2: ") == 0);
+  CHECK(scores_complaint("1,2\n1,x\n").find("'x' is not a number") != std::string::npos);
+  CHECK(scores_complaint("1,2\n1,,2\n").find("is not a number") != std::string::npos);
+  CHECK(scores_complaint("1,2\n1,2,\n").find("a number is missing") != std::string::npos);
+  CHECK(scores_complaint("query,match,score\n").find("line 1: the header") != std::string::npos);
+  CHECK(scores_complaint("query,candidate,score\n1,2\n").find("line 2") != std::string::npos);
+  CHECK(scores_complaint("query,candidate,score\n-1,2,0\n").find("row numbers") !=
+        std::string::npos);
+  CHECK(scores_complaint("query,candidate,score\n1,2.5,0\n").find("row numbers") !=
+        std::string::npos);
+  CHECK(scores_complaint("query,candidate,score\n1,nan,0\n").find("row numbers") !=
+        std::string::npos);
+  CHECK(scores_complaint("query,candidate,score,tx,ty,tz,qx,qy,qz,qw\n1,2,0,0,0,0,0,0,0,2\n")
             .find("unit length") != std::string::npos);
 }

@@ -5,24 +5,20 @@
 #include <topobag/evaluation/tum_trajectory.hpp>
 
 #include "catch.hpp"
+#include "error_text.hpp"
 #include "evaluation/random_poses.hpp"
 
 using namespace topobag;
 
 namespace {
 
-Trajectory read(const std::string& text) {
+Trajectory tum_poses(const std::string& text) {
   std::istringstream stream(text);
   return read_tum(stream, "room.txt");
 }
 
-std::string complaint(const std::string& text) {
-  try {
-    read(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+std::string tum_complaint(const std::string& text) {
+  return error_text([&] { tum_poses(text); });
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -32,7 +28,7 @@ bool contains(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("a TUM trajectory with comments, blanks, tabs and CR LF", "[evaluation]") {
-  const Trajectory trajectory = read(
+  const Trajectory trajectory = tum_poses(
       "# timestamp tx ty tz qx qy qz qw\r\n\r\n1305031102.1758 1.5 -2e-1 3 0 0 0.7071 0.7071\r\n"
       "\t1305031102.2 0 0 0\t0 0 0 -1");
   REQUIRE(trajectory.size() == 2);
@@ -41,24 +37,25 @@ TEST_CASE("a TUM trajectory with comments, blanks, tabs and CR LF", "[evaluation
   CHECK(trajectory[0].T_world_body.linear().col(0).isApprox(Eigen::Vector3d::UnitY()));
   CHECK(trajectory[0].T_world_body.linear().determinant() == Approx(1.0).epsilon(1e-14));
   CHECK(trajectory[1].T_world_body.linear().isIdentity());
-  CHECK(read("").empty());
+  CHECK(tum_poses("").empty());
 }
 
 TEST_CASE("what is not a TUM trajectory is refused with file and line", "[evaluation]") {
   const std::string good = "1 0 0 0 0 0 0 1\n";
-  CHECK(contains(complaint(good + "# c\n2 0 0 0 0 0 1\n"), "room.txt, line 3: "));
-  CHECK(contains(complaint(good + "2 0 0 0 0 0 0 1 0\n"), "8 numbers"));
-  CHECK(contains(complaint(good + "1 0 0 0 0 0 0 1\n"), "line 2: the time stamp is not later"));
-  CHECK(contains(complaint(good + "0.5 0 0 0 0 0 0 1\n"), "line 2: the time stamp is not later"));
-  CHECK(contains(complaint("1 0 0 x7 0 0 0 1\n"), "line 1: 'x7' is not a number"));
-  CHECK(contains(complaint("1 0 0 1,5 0 0 0 1\n"), "is not a number"));
-  CHECK(contains(complaint("1 0 0 1.5m 0 0 0 1\n"), "'1.5m' is not a number"));
-  CHECK(contains(complaint("1 0 0 nan 0 0 0 1\n"), "not finite"));
-  CHECK(contains(complaint("inf 0 0 0 0 0 0 1\n"), "not finite"));
-  CHECK(contains(complaint("1 0 0 1e999 0 0 0 1\n"), "is not a number"));
-  CHECK(contains(complaint("1 0 0 0 0 0 0 1.1\n"), "unit length"));
-  CHECK(contains(complaint("1 0 0 0 0 0 0 0\n"), "unit length"));
-  CHECK_NOTHROW(read("1 0 0 0 0 0 0 1.009\n"));
+  CHECK(contains(tum_complaint(good + "# c\n2 0 0 0 0 0 1\n"), "room.txt, line 3: "));
+  CHECK(contains(tum_complaint(good + "2 0 0 0 0 0 0 1 0\n"), "8 numbers"));
+  CHECK(contains(tum_complaint(good + "1 0 0 0 0 0 0 1\n"), "line 2: the time stamp is not later"));
+  CHECK(
+      contains(tum_complaint(good + "0.5 0 0 0 0 0 0 1\n"), "line 2: the time stamp is not later"));
+  CHECK(contains(tum_complaint("1 0 0 x7 0 0 0 1\n"), "line 1: 'x7' is not a number"));
+  CHECK(contains(tum_complaint("1 0 0 1,5 0 0 0 1\n"), "is not a number"));
+  CHECK(contains(tum_complaint("1 0 0 1.5m 0 0 0 1\n"), "'1.5m' is not a number"));
+  CHECK(contains(tum_complaint("1 0 0 nan 0 0 0 1\n"), "not finite"));
+  CHECK(contains(tum_complaint("inf 0 0 0 0 0 0 1\n"), "not finite"));
+  CHECK(contains(tum_complaint("1 0 0 1e999 0 0 0 1\n"), "is not a number"));
+  CHECK(contains(tum_complaint("1 0 0 0 0 0 0 1.1\n"), "unit length"));
+  CHECK(contains(tum_complaint("1 0 0 0 0 0 0 0\n"), "unit length"));
+  CHECK_NOTHROW(tum_poses("1 0 0 0 0 0 0 1.009\n"));
 }
 
 TEST_CASE("a missing file is named", "[evaluation]") {
@@ -70,7 +67,7 @@ TEST_CASE("what is written is read back", "[evaluation]") {
   const Trajectory trajectory = topobag_tests::random_trajectory(random, 200);
   std::ostringstream text;
   write_tum(text, trajectory);
-  const Trajectory again = read(text.str());
+  const Trajectory again = tum_poses(text.str());
   REQUIRE(again.size() == trajectory.size());
   for (std::size_t i = 0; i < again.size(); ++i) {
     CHECK(again[i].stamp_s == trajectory[i].stamp_s);

@@ -14,13 +14,13 @@ using namespace topobag;
 
 namespace {
 
-const auto two_metres = [](const Eigen::Vector2d&) { return std::optional<double>(2.0); };
+const auto wall_at_two_metres = [](const Eigen::Vector2d&) { return std::optional<double>(2.0); };
 
 }  // namespace
 
 TEST_CASE("a depth grid is a depth source over the whole image and nothing more", "[sensing]") {
   static_assert(is_depth_source_v<DepthGrid>);
-  const DepthGrid grid(two_metres, 640, 480);
+  const DepthGrid grid(wall_at_two_metres, 640, 480);
   for (const Eigen::Vector2d& inside :
        {Eigen::Vector2d(-0.5, -0.5), Eigen::Vector2d(320, 240), Eigen::Vector2d(639.4, 479.4)}) {
     CHECK(grid(inside) == 2.0);
@@ -59,6 +59,6 @@ TEST_CASE("with as many samples as pixels a cell holds their least depth", "[sen
 }
 
 TEST_CASE("a depth grid needs an image and a cell", "[sensing]") {
-  CHECK_THROWS_AS(DepthGrid(two_metres, 0, 480), InvalidValue);
-  CHECK_THROWS_AS(DepthGrid(two_metres, 640, 480, 0, 3), InvalidValue);
+  CHECK_THROWS_AS(DepthGrid(wall_at_two_metres, 0, 480), InvalidValue);
+  CHECK_THROWS_AS(DepthGrid(wall_at_two_metres, 640, 480, 0, 3), InvalidValue);
 }

@@ -12,7 +12,7 @@
 namespace {
 
 /// A detection as of a front end that knows depths.
-struct RangedDetection {
+struct DetectionWithDepth {
   topobag::Detection detection;
   std::optional<double> z;
 };
@@ -20,11 +20,11 @@ struct RangedDetection {
 }  // namespace
 
 template <>
-struct topobag::detection_traits<RangedDetection> {
-  static const BoundingBox& box(const RangedDetection& d) { return d.detection.box; }
-  static ClassId label(const RangedDetection& d) { return d.detection.label; }
-  static double confidence(const RangedDetection& d) { return d.detection.confidence; }
-  static std::optional<double> depth(const RangedDetection& d) { return d.z; }
+struct topobag::detection_traits<DetectionWithDepth> {
+  static const BoundingBox& box(const DetectionWithDepth& d) { return d.detection.box; }
+  static ClassId label(const DetectionWithDepth& d) { return d.detection.label; }
+  static double confidence(const DetectionWithDepth& d) { return d.detection.confidence; }
+  static std::optional<double> depth(const DetectionWithDepth& d) { return d.z; }
 };
 
 using namespace topobag;
@@ -42,7 +42,7 @@ std::optional<double> two_metres(const Eigen::Vector2d&) { return 2.0; }
 /// What a single detection is dropped for; nothing when it becomes a node.
 DroppedDetections dropped(const Detection& detection, std::optional<double> z = 2.0,
                           const LiftOptions& options = {}) {
-  const std::vector<RangedDetection> one{{detection, z}};
+  const std::vector<DetectionWithDepth> one{{detection, z}};
   const auto lifted = lift_detections(one, camera, catalog, options);
   CHECK(lifted.nodes.size() + lifted.dropped.total() == 1);
   return lifted.dropped;
@@ -72,7 +72,7 @@ TEST_CASE("a depth of its own stands in for a depth source", "[sensing]") {
   const auto sampled =
       lift_detections(std::vector<Detection>{detection}, two_metres, camera, catalog);
   const auto ranged =
-      lift_detections(std::vector<RangedDetection>{{detection, 2.0}}, camera, catalog);
+      lift_detections(std::vector<DetectionWithDepth>{{detection, 2.0}}, camera, catalog);
   REQUIRE(ranged.nodes.size() == 1);
   CHECK(*ranged.nodes[0].position == *sampled.nodes[0].position);
   CHECK(ranged.nodes[0].covariance == sampled.nodes[0].covariance);
@@ -199,7 +199,7 @@ TEMPLATE_TEST_CASE("ten thousand detections, broken ones among them: all account
   std::mt19937 random(11);
   std::uniform_real_distribution<double> u(-100.0, 740.0);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  std::vector<RangedDetection> detections;
+  std::vector<DetectionWithDepth> detections;
   for (int i = 0; i < 10000; ++i) {
     BoundingBox box =
         box_around({u(random), u(random)}, 400.0 * unit(random), 300.0 * unit(random));

@@ -20,7 +20,7 @@ struct Map {
   bool IsBad() const { return bad; }
 };
 
-struct KeyFrame {
+struct MappedKeyFrame {
   unsigned long mnId;
   double mTimeStamp;
   Eigen::Isometry3d T_world_camera;
@@ -32,24 +32,24 @@ struct KeyFrame {
   Eigen::Isometry3f GetPoseInverse() const {
     return Eigen::Isometry3f(T_world_camera.cast<float>());
   }
-  std::set<KeyFrame*> GetConnectedKeyFrames() const { return {}; }
+  std::set<MappedKeyFrame*> GetConnectedKeyFrames() const { return {}; }
 };
 
 struct Frame {
   Eigen::Isometry3d T_world_camera;
 };
 
-using Database = OrbSlamDatabase<KeyFrame, Frame, Map>;
-using Pointers = std::vector<KeyFrame*>;
+using Database = OrbSlamDatabase<MappedKeyFrame, Frame, Map>;
+using Pointers = std::vector<MappedKeyFrame*>;
 
 }  // namespace
 
-static_assert(has_maps_v<KeyFrame>);
+static_assert(has_maps_v<MappedKeyFrame>);
 static_assert(!has_maps_v<small_host::KeyFrame>);
 
 TEST_CASE("a key frame in a bad map is of no use", "[adaptors]") {
   Map map;
-  KeyFrame key_frame{1, 0.0, Eigen::Isometry3d::Identity(), &map};
+  MappedKeyFrame key_frame{1, 0.0, Eigen::Isometry3d::Identity(), &map};
   CHECK_FALSE(is_bad(key_frame));
   map.bad = true;
   CHECK(is_bad(key_frame));
@@ -63,19 +63,19 @@ TEST_CASE("with several maps candidates are told apart by map", "[adaptors]") {
   Database database({}, [&](const Frame& frame) {
     return std::optional<TopologyGraph<>>(room.seen_from(frame.T_world_camera));
   });
-  std::vector<std::unique_ptr<KeyFrame>> key_frames;
-  const auto mapped = [&](double stamp, Map& map) -> KeyFrame& {
+  std::vector<std::unique_ptr<MappedKeyFrame>> key_frames;
+  const auto mapped = [&](double stamp, Map& map) -> MappedKeyFrame& {
     const auto id = static_cast<unsigned long>(key_frames.size());
     key_frames.push_back(
-        std::make_unique<KeyFrame>(KeyFrame{id, stamp, random_camera(random), &map}));
-    KeyFrame& key_frame = *key_frames.back();
+        std::make_unique<MappedKeyFrame>(MappedKeyFrame{id, stamp, random_camera(random), &map}));
+    MappedKeyFrame& key_frame = *key_frames.back();
     database.observe(0, id, small_host::sighting(room, stamp, key_frame.T_world_camera));
     database.add(&key_frame);
     return key_frame;
   };
-  KeyFrame& same = mapped(0.0, here);
-  KeyFrame& other = mapped(10.0, elsewhere);
-  KeyFrame& now = mapped(100.0, here);
+  MappedKeyFrame& same = mapped(0.0, here);
+  MappedKeyFrame& other = mapped(10.0, elsewhere);
+  MappedKeyFrame& now = mapped(100.0, here);
 
   Pointers loops{&same}, merges;
   database.DetectNBestCandidates(&now, loops, merges, 3);
