@@ -35,17 +35,11 @@ class BagSearch {
 
   SearchResult run() {
     visit_head();
-    const LeafOrder order(parts_, coarse_query_, query_.total());
-    // A leaf of each part first: good ones raise the floor, and then most leaves are not even
-    // sorted.
-    const std::vector<BoundedLeaf> first = order.first_of_each_part();
-    for (const BoundedLeaf& leaf : first) visit(leaf);
+    LeafOrder order(parts_, coarse_query_, query_.total());
+    // Some good leaves first: they raise the floor, and then most leaves are not even sorted.
+    visit(order.take_best(good_leaves));
     const double floor = std::max(0.0, best_.floor() - score_slack);
-    for (const BoundedLeaf& leaf : order.at_least(static_cast<float>(floor))) {
-      const auto bound = static_cast<double>(leaf.bound);
-      if (!best_.wants(bound) || missed_ > bound) break;
-      if (first[leaf.part].leaf != leaf.leaf) visit(leaf);
-    }
+    visit(order.take_at_least(static_cast<float>(floor)));
     SearchResult result;
     result.candidates = best_.finish(parts_, [&](const StoredEntry& entry) {
       return similarity_.similarity(query_, similarity_.descriptor_of(scan_(entry.graph)));
@@ -58,6 +52,8 @@ class BagSearch {
   }
 
  private:
+  static constexpr std::size_t good_leaves = 64;
+
   static std::vector<ClassId> labels_of(const TopologyGraph<double>& graph) {
     std::vector<ClassId> labels;
     for (const auto& node : graph.nodes()) labels.push_back(node.label);
@@ -73,6 +69,15 @@ class BagSearch {
     }
   }
 
+  /// @param leaves  best first
+  void visit(const std::vector<BoundedLeaf>& leaves) {
+    for (const BoundedLeaf& leaf : leaves) {
+      const auto bound = static_cast<double>(leaf.bound);
+      if (!best_.wants(bound) || missed_ > bound) break;
+      visit(leaf);
+    }
+  }
+
   void visit(const BoundedLeaf& leaf) {
     const auto total = static_cast<float>(query_.total());
     const SealedPart& part = (*parts_.sealed)[leaf.part];
@@ -81,11 +86,18 @@ class BagSearch {
     for (std::size_t slot = segment.leaf_begin(leaf.leaf); slot < end; ++slot) {
       if (!part.is_live(slot)) continue;
       const float stored = segment.total(slot);
-      const float bound = jaccard_bound(leaf.common, total, stored, stored);
-      if (!best_.wants(static_cast<double>(bound))) continue;
+      if (falls_short(leaf.common, total + stored)) continue;
       const float common = std::min(leaf.common, sketch_.common(segment.sketch(slot)));
+      if (falls_short(common, total + stored)) continue;
       visit({leaf.part, slot}, jaccard_bound(common, total, stored, stored));
     }
+  }
+
+  /// Whether the Jaccard index of two histograms, by what they have in common and the sum of their
+  /// totals, is too low for certain: most are, and are passed over without a division.
+  bool falls_short(float common, float totals) const noexcept {
+    const auto floor = static_cast<float>(best_.floor() - 2.0 * score_slack);
+    return common < floor * (totals - common);
   }
 
   /// @param rounded_bound  of the graph's score

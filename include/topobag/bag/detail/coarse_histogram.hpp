@@ -14,7 +14,7 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// A word of a histogram, shortened, and a weight in units of 1/64, rounded up. Two words that
+/// A word of a histogram, shortened, and a weight in units of 1/128, rounded up. Two words that
 /// become the same one only loosen a bound.
 struct CoarseEntry {
   std::uint32_t word = 0;
@@ -25,7 +25,7 @@ struct CoarseEntry {
   }
 };
 using CoarseHistogram = std::vector<CoarseEntry>;  ///< ascending, each word once
-inline constexpr double coarse_steps = 64.0;
+inline constexpr double coarse_steps = 128.0;
 
 /// A vote for a word, shortened.
 using CoarseVote = std::pair<std::uint32_t, double>;

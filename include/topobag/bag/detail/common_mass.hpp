@@ -41,6 +41,7 @@ class CommonMass {
     std::size_t slots = 64;
     while (slots < 4 * query.entries().size()) slots *= 2;
     slots_.resize(slots);
+    mask_ = slots - 1;
     for (const SparseHistogram::Entry& entry : query.entries()) {
       Slot& slot = slot_of(entry.word);
       slot.word = entry.word;
@@ -98,8 +99,8 @@ class CommonMass {
   };
 
   Slot& slot_of(std::uint64_t word) {
-    std::size_t at = static_cast<std::size_t>(word) & (slots_.size() - 1);
-    while (slots_[at].query > 0.0 && slots_[at].word != word) at = (at + 1) & (slots_.size() - 1);
+    std::size_t at = static_cast<std::size_t>(word) & mask_;
+    while (slots_[at].query > 0.0 && slots_[at].word != word) at = (at + 1) & mask_;
     return slots_[at];
   }
 
@@ -131,6 +132,7 @@ class CommonMass {
   std::vector<ClassId> labels_;              ///< the query's classes, ascending
   std::vector<Vote> pairs_, sides_, alone_;  ///< by label × label, label × side, label
   std::vector<Slot> slots_;                  ///< open addressing; a power of two
+  std::size_t mask_ = 0;
   std::vector<Slot*> touched_;
   std::vector<double> octaves_ = std::vector<double>(512, -1.0);  ///< by steps; < 0 = unknown
   std::vector<Known> known_;  ///< the stored graph's nodes of classes that the query has

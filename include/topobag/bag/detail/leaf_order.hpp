@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 #include <vector>
 
 #include <topobag/bag/detail/bag_parts.hpp>
@@ -31,7 +34,8 @@ struct BoundedLeaf {
   std::uint32_t leaf = 0;
 };
 
-/// What the leaves of a bag have in common with a query at most, to visit the best first.
+/// What the leaves of a bag have in common with a query at most, to visit the best first. Gives
+/// each leaf once.
 class LeafOrder {
  public:
   /// @param total  sum of the query's weights
@@ -56,35 +60,99 @@ class LeafOrder {
     }
     begins_.push_back(leaves);
     sums_.resize(leaves, 0);
+    given_.resize(leaves, false);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
       parts_[part].segment->bounds().add_common(fitting, sums_.data() + begins_[part]);
+      add_stretches(part);
     }
   }
 
-  /// The leaf of each part that has most in common.
-  std::vector<BoundedLeaf> first_of_each_part() const {
-    std::vector<BoundedLeaf> first;
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      const auto begin = sums_.begin() + static_cast<std::ptrdiff_t>(begins_[part]);
-      const auto end = sums_.begin() + static_cast<std::ptrdiff_t>(begins_[part + 1]);
-      first.push_back(at(part, static_cast<std::size_t>(std::max_element(begin, end) - begin)));
+  /// The leaf that has most in common, of each of the `count` best stretches of neighbours; best
+  /// first.
+  std::vector<BoundedLeaf> take_best(std::size_t count) {
+    std::vector<Stretch> best(std::min(count, stretches_.size()));
+    std::partial_sort_copy(stretches_.begin(), stretches_.end(), best.begin(), best.end(),
+                           [](const Stretch& l, const Stretch& r) {
+                             return l.greatest != r.greatest ? l.greatest > r.greatest
+                                                             : l.begin < r.begin;
+                           });
+    std::vector<BoundedLeaf> leaves;
+    for (const Stretch& stretch : best) {
+      std::size_t i = stretch.begin;
+      while (sums_[i] != stretch.greatest) ++i;
+      take(i, stretch.part, 0.0F, leaves);
     }
-    return first;
+    return sorted(std::move(leaves));
   }
 
   /// Those whose bound reaches `floor` >= 0, best first.
-  std::vector<BoundedLeaf> at_least(float floor) const {
-    // Whatever the graph, its score is no more than what is common over the query's total.
-    const float least = (floor * total_ - surplus_) * static_cast<float>(coarse_steps);
-    const auto least_sum = static_cast<std::uint32_t>(std::max(0.0F, std::floor(least) - 1.0F));
+  std::vector<BoundedLeaf> take_at_least(float floor) {
+    // By c / (total + t - c) >= floor, a leaf with totals t has to have c >= scale * (total + t) in
+    // common: in whole numbers, with a little less asked for the rounding.
+    const float scale = std::max(0.0F, floor - 1e-5F) / (1.0F + floor);
+    const float least = (scale * total_ - surplus_) * static_cast<float>(coarse_steps) - 2.0F;
+    const auto offset = static_cast<std::uint16_t>(std::clamp(least, 0.0F, 32767.0F));
+    const auto slope = static_cast<std::uint16_t>(scale * 65536.0F);
+    std::array<unsigned char, Stretch::length> reach{};  // 1 = it may
     std::vector<BoundedLeaf> leaves;
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      for (std::size_t i = begins_[part]; i < begins_[part + 1]; ++i) {
-        if (sums_[i] < least_sum) continue;
-        const BoundedLeaf leaf = at(part, i - begins_[part]);
-        if (leaf.bound >= floor) leaves.push_back(leaf);
+    for (const Stretch& stretch : stretches_) {
+      if (stretch.greatest < offset) continue;
+      const std::uint16_t* sums = sums_.data() + stretch.begin;
+      const std::uint16_t* totals =
+          parts_[stretch.part].segment->least_totals() + (stretch.begin - begins_[stretch.part]);
+      const std::size_t size = stretch.end - stretch.begin;
+      for (std::size_t i = 0; i < size; ++i) {
+        const std::uint32_t share = (std::uint32_t{slope} * totals[i]) >> 16U;
+        reach[i] = sums[i] >= static_cast<std::uint16_t>(offset + share);
+      }
+      const unsigned char *at = reach.data(), *end = at + size;
+      for (; (at = find_one(at, end)) != end; ++at) {
+        take(stretch.begin + static_cast<std::size_t>(at - reach.data()), stretch.part, floor,
+             leaves);
       }
     }
+    return sorted(std::move(leaves));
+  }
+
+ private:
+  static constexpr std::uint32_t max_sum = 65535;
+
+  /// Some neighbouring leaves of a part, to pass over those of which none is good enough.
+  struct Stretch {
+    static constexpr std::size_t length = 64;
+    std::size_t part = 0, begin = 0, end = 0;
+    std::uint16_t greatest = 0;  ///< of the sums
+  };
+
+  void add_stretches(std::size_t part) {
+    for (std::size_t begin = begins_[part]; begin < begins_[part + 1]; begin += Stretch::length) {
+      Stretch stretch{part, begin, std::min(begin + Stretch::length, begins_[part + 1]), 0};
+      for (std::size_t i = begin; i < stretch.end; ++i) {
+        stretch.greatest = std::max(stretch.greatest, sums_[i]);
+      }
+      stretches_.push_back(stretch);
+    }
+  }
+
+  void take(std::size_t i, std::size_t part, float floor, std::vector<BoundedLeaf>& leaves) {
+    if (given_[i]) return;
+    const Segment& segment = *parts_[part].segment;
+    const std::size_t leaf = i - begins_[part];
+    const float common = static_cast<float>(sums_[i]) / static_cast<float>(coarse_steps) + surplus_;
+    const auto [least, greatest] = segment.total_range(leaf);
+    const float bound = jaccard_bound(common, total_, least, greatest);
+    if (bound < floor) return;
+    given_[i] = true;
+    leaves.push_back(
+        {bound, common, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(leaf)});
+  }
+
+  static const unsigned char* find_one(const unsigned char* begin, const unsigned char* end) {
+    const void* found = std::memchr(begin, 1, static_cast<std::size_t>(end - begin));
+    return found != nullptr ? static_cast<const unsigned char*>(found) : end;
+  }
+
+  static std::vector<BoundedLeaf> sorted(std::vector<BoundedLeaf> leaves) {
     std::sort(leaves.begin(), leaves.end(), [](const BoundedLeaf& l, const BoundedLeaf& r) {
       if (l.bound != r.bound) return l.bound > r.bound;
       return l.part != r.part ? l.part < r.part : l.leaf < r.leaf;
@@ -92,24 +160,13 @@ class LeafOrder {
     return leaves;
   }
 
- private:
-  static constexpr std::uint32_t max_sum = 65535;
-
-  BoundedLeaf at(std::size_t part, std::size_t leaf) const {
-    const Segment& segment = *parts_[part].segment;
-    const float common =
-        static_cast<float>(sums_[begins_[part] + leaf]) / static_cast<float>(coarse_steps) +
-        surplus_;
-    return {jaccard_bound(common, total_, segment.least_totals()[leaf],
-                          segment.greatest_totals()[leaf]),
-            common, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(leaf)};
-  }
-
   const BagParts::Sealed& parts_;
   float total_;
   float surplus_ = 0.0F;             ///< weights of the words that are not in the sums
   std::vector<std::size_t> begins_;  ///< of the parts' leaves, and the end
   std::vector<std::uint16_t> sums_;  ///< by leaf, in units of `coarse_steps`
+  std::vector<bool> given_;          ///< by leaf
+  std::vector<Stretch> stretches_;
 };
 
 }  // namespace detail

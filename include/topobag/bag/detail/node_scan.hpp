@@ -27,8 +27,10 @@ class TrustedBits {
   void skip(std::size_t bits) noexcept { at_ += bits; }
   std::uint64_t get(unsigned width) noexcept {
     const std::uint8_t* p = data_ + (at_ >> 3U);
-    std::uint64_t window = 0;
-    for (unsigned i = 0; i < 8; ++i) window |= static_cast<std::uint64_t>(p[i]) << (8 * i);
+    // Spelt out, as compilers then read the eight at once.
+    const auto byte = [p](unsigned i) { return static_cast<std::uint64_t>(p[i]) << (8 * i); };
+    std::uint64_t window =
+        byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
     window >>= at_ & 7U;
     at_ += width;
     return window & ((std::uint64_t{1} << width) - 1);

@@ -26,8 +26,13 @@ namespace detail {
 class Segment {
  public:
   /// So many graphs share a leaf at most. More make the index smaller and its bounds looser.
-  static constexpr std::size_t max_leaf_size = 16;
+  static constexpr std::size_t max_leaf_size = 24;
   static constexpr std::size_t max_bytes = std::numeric_limits<std::uint32_t>::max();
+
+  /// Of the totals in a leaf.
+  struct TotalRange {
+    float least = 0.0F, greatest = 0.0F;
+  };
 
   std::size_t size() const noexcept { return ids_.size(); }
   KeyframeId id(std::size_t slot) const noexcept { return ids_[slot]; }
@@ -41,15 +46,16 @@ class Segment {
   std::size_t graph_bytes() const noexcept { return begins_.back(); }
 
   /// Sum of the weights of the graph's histogram, to a float's accuracy.
-  float total(std::size_t slot) const noexcept { return totals_[slot]; }
+  float total(std::size_t slot) const noexcept { return sketches_[slot].total(); }
 
   const Sketch& sketch(std::size_t slot) const noexcept { return sketches_[slot]; }
 
   std::size_t leaves() const noexcept { return leaf_begins_.size() - 1; }
   std::size_t leaf_begin(std::size_t leaf) const noexcept { return leaf_begins_[leaf]; }
   std::size_t leaf_end(std::size_t leaf) const noexcept { return leaf_begins_[leaf + 1]; }
-  const std::vector<float>& least_totals() const noexcept { return least_totals_; }  ///< by leaf
-  const std::vector<float>& greatest_totals() const noexcept { return greatest_totals_; }
+  const TotalRange& total_range(std::size_t leaf) const noexcept { return total_ranges_[leaf]; }
+  /// The leaves' least totals in units of 1 / `coarse_steps`, rounded down, as far as they fit.
+  const std::uint16_t* least_totals() const noexcept { return least_totals_.data(); }
   const LeafBounds& bounds() const noexcept { return bounds_; }
 
   /// O(log n).
@@ -71,8 +77,9 @@ class Segment {
   /// Of the index alone: what a plain list of the entries would not need.
   std::size_t index_bytes() const noexcept {
     return bounds_.bytes() + sketches_.capacity() * sizeof(Sketch) +
-           totals_.capacity() * sizeof(float) + leaf_begins_.capacity() * sizeof(std::uint32_t) +
-           (least_totals_.capacity() + greatest_totals_.capacity()) * sizeof(float) +
+           leaf_begins_.capacity() * sizeof(std::uint32_t) +
+           total_ranges_.capacity() * sizeof(TotalRange) +
+           least_totals_.capacity() * sizeof(std::uint16_t) +
            by_id_.capacity() * sizeof(std::uint32_t);
   }
   std::size_t entry_bytes() const noexcept {
@@ -89,13 +96,13 @@ class Segment {
   std::vector<std::uint32_t> begins_{0};  ///< of the graphs in `bytes_`, and their end
   std::vector<std::uint8_t> bytes_;
   InfoColumns infos_;
-  std::vector<float> totals_;
   std::vector<Sketch> sketches_;
   std::vector<std::uint32_t> by_id_;  ///< slots by ascending id; empty where they are so already
   KeyframeId least_id_{}, greatest_id_{};
 
   std::vector<std::uint32_t> leaf_begins_{0};  ///< first slots, and the end
-  std::vector<float> least_totals_, greatest_totals_;
+  std::vector<TotalRange> total_ranges_;       ///< by leaf
+  std::vector<std::uint16_t> least_totals_;    ///< by leaf
   LeafBounds bounds_;
 };
 
@@ -120,8 +127,7 @@ class Segment::Builder {
     const std::size_t in_leaf = this->size() - segment_.leaf_begins_.back();
     if (in_leaf == max_leaf_size || (in_leaf > 0 && !is_like_leaf(graph_histogram))) end_leaf();
     append(id, info, graph, size);
-    segment_.totals_.push_back(static_cast<float>(total));
-    segment_.sketches_.emplace_back(graph_histogram);
+    segment_.sketches_.emplace_back(graph_histogram, static_cast<float>(total));
     raise_to(graph_histogram);
   }
 
@@ -130,7 +136,6 @@ class Segment::Builder {
     end_leaf();
     for (std::size_t slot = 0; slot < other.size(); ++slot) {
       append(other.id(slot), other.info(slot), other.graph(slot), other.graph_size(slot));
-      segment_.totals_.push_back(other.total(slot));
       segment_.sketches_.push_back(other.sketch(slot));
     }
     const std::uint32_t before = segment_.leaf_begins_.back();
@@ -146,21 +151,24 @@ class Segment::Builder {
     s.bytes_.insert(s.bytes_.end(), scan_margin, 0);
     s.bounds_ = bounds_.build();
     for (std::size_t leaf = 0; leaf < s.leaves(); ++leaf) {
-      const auto [least, greatest] = std::minmax_element(
-          s.totals_.begin() + s.leaf_begins_[leaf], s.totals_.begin() + s.leaf_begins_[leaf + 1]);
-      s.least_totals_.push_back(*least);
-      s.greatest_totals_.push_back(*greatest);
+      TotalRange range{s.total(s.leaf_begin(leaf)), s.total(s.leaf_begin(leaf))};
+      for (std::size_t slot = s.leaf_begin(leaf) + 1; slot < s.leaf_end(leaf); ++slot) {
+        range.least = std::min(range.least, s.total(slot));
+        range.greatest = std::max(range.greatest, s.total(slot));
+      }
+      s.total_ranges_.push_back(range);
+      const double steps = static_cast<double>(range.least) * coarse_steps;
+      s.least_totals_.push_back(static_cast<std::uint16_t>(std::min(steps, 65535.0)));
     }
     sort_ids();
     s.ids_.shrink_to_fit();
     s.begins_.shrink_to_fit();
     s.bytes_.shrink_to_fit();
     s.infos_.shrink_to_fit();
-    s.totals_.shrink_to_fit();
     s.sketches_.shrink_to_fit();
     s.leaf_begins_.shrink_to_fit();
+    s.total_ranges_.shrink_to_fit();
     s.least_totals_.shrink_to_fit();
-    s.greatest_totals_.shrink_to_fit();
     return std::move(s);
   }
 
