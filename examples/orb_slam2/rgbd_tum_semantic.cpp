@@ -199,9 +199,8 @@ class Run {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const Images images = read_images(frames[i]);
       const program::Stopwatch watch;
-      const cv::Mat Tcw = slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+      const cv::Mat Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
-      if (semantic_ && slam_.MapChanged()) semantic_->poses_corrected();
       if (slam_.GetTrackingState() == ORB_SLAM2::Tracking::OK) {
         tracked_.push_back({images.stamp, world_camera(Tcw)});
       }
@@ -242,12 +241,12 @@ class Run {
       const auto truth = true_pose(kidnap_truth_, images.stamp);
       if (!truth) continue;
       for (const double before : {0.02, 0.01}) {
-        slam_.TrackRGBD(cv::Mat::zeros(images.rgb.size(), images.rgb.type()),
-                        cv::Mat::zeros(images.depth.size(), images.depth.type()),
-                        images.stamp - before);
+        track_frame({cv::Mat::zeros(images.rgb.size(), images.rgb.type()),
+                     cv::Mat::zeros(images.depth.size(), images.depth.type()),
+                     images.stamp - before});
       }
       const program::Stopwatch watch;
-      const cv::Mat Tcw = slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+      const cv::Mat Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
       ++shown;
       file << std::setprecision(17) << images.stamp << ',';
@@ -283,6 +282,11 @@ class Run {
   }
 
  private:
+  cv::Mat track_frame(const Images& images) {
+    if (semantic_ && slam_.MapChanged()) semantic_->poses_corrected();
+    return slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+  }
+
   /// What the objects alone make of the frames shown, and together with the host.
   void report_places(const std::set<double>& relocalized) {
     std::size_t verified = 0, by_place = 0, guesses = 0;
