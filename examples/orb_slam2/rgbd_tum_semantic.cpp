@@ -46,6 +46,7 @@ struct Arguments {
   std::size_t max_places = 5;
   std::size_t candidates = 0;
   std::string out = ".";
+  bool mask = false;
   bool stock = false;
   bool no_wait = false;
 };
@@ -185,6 +186,7 @@ class Run {
       settings.database.recognition.max_candidates = arguments.candidates;
     }
     settings.lost_window = arguments.kidnap_window;
+    if (arguments.mask) settings.mask = topobag::DynamicFeatureOptions{};
     semantic_ = std::make_unique<SemanticSlam>(
         settings, topobag::ClassCatalog::coco80(), make_detect(arguments, calibration_),
         [this](double stamp) { return true_pose(kidnap_truth_, stamp); });
@@ -197,7 +199,7 @@ class Run {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const Images images = read_images(frames[i]);
       const program::Stopwatch watch;
-      const cv::Mat Tcw = slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+      const cv::Mat Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
       if (slam_.GetTrackingState() == ORB_SLAM2::Tracking::OK) {
         tracked_.push_back({images.stamp, world_camera(Tcw)});
@@ -239,12 +241,12 @@ class Run {
       const auto truth = true_pose(kidnap_truth_, images.stamp);
       if (!truth) continue;
       for (const double before : {0.02, 0.01}) {
-        slam_.TrackRGBD(cv::Mat::zeros(images.rgb.size(), images.rgb.type()),
-                        cv::Mat::zeros(images.depth.size(), images.depth.type()),
-                        images.stamp - before);
+        track_frame({cv::Mat::zeros(images.rgb.size(), images.rgb.type()),
+                     cv::Mat::zeros(images.depth.size(), images.depth.type()),
+                     images.stamp - before});
       }
       const program::Stopwatch watch;
-      const cv::Mat Tcw = slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+      const cv::Mat Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
       ++shown;
       file << std::setprecision(17) << images.stamp << ',';
@@ -280,6 +282,11 @@ class Run {
   }
 
  private:
+  cv::Mat track_frame(const Images& images) {
+    if (semantic_ && slam_.MapChanged()) semantic_->poses_corrected();
+    return slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+  }
+
   /// What the objects alone make of the frames shown, and together with the host.
   void report_places(const std::set<double>& relocalized) {
     std::size_t verified = 0, by_place = 0, guesses = 0;
@@ -316,6 +323,11 @@ class Run {
     std::cout << "key frames: " << counts.pushed << " made, " << counts.processed
               << " through the topology thread, " << counts.failed << " failed, " << counts.given_up
               << " given up, " << semantic_->size() << " in the bag\n";
+    if (arguments_.mask) {
+      const MaskedFeatures masked = semantic_->masked_features();
+      std::cout << "features masked: " << masked.dropped << " of " << masked.seen << ", in "
+                << masked.frames << " frames; " << masked.failed << " frames failed\n";
+    }
     std::ofstream file(arguments_.out + "/loops.csv");
     file << "query_stamp,candidate_stamp,error_m,error_deg\n" << std::setprecision(17);
     const auto offered = semantic_->offered_loops();
@@ -359,6 +371,7 @@ int main(int argc, char** argv) {
   app.add_option("ASSOCIATIONS", arguments.associations, "Pairs of images")->required();
   auto* table = app.add_option("--detections", arguments.table, "Node table of the sequence");
   app.add_option("--model", arguments.model, "YOLOX network, ONNX")->excludes(table);
+  app.add_flag("--mask", arguments.mask, "Track without the features on what moves")->needs(table);
   app.add_flag("--stock", arguments.stock, "Without the bag");
   app.add_flag("--no-wait", arguments.no_wait, "As fast as it goes, not at the camera's pace");
   app.add_option("--window", arguments.window, "Seconds of key frames in one graph");

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "semantic_slam.hpp"
 
+#include <exception>
 #include <memory>
 #include <utility>
+
+#include <topobag/adaptors/orb_slam/drop_features.hpp>
 
 #include <stopwatch.hpp>
 
@@ -21,8 +24,16 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
 
 SemanticSlam::~SemanticSlam() { thread_.stop(); }
 
-void SemanticSlam::Images(const cv::Mat& rgb, const cv::Mat& depth, double stamp) {
-  current_ = {rgb, depth, stamp};
+void SemanticSlam::FrameMade(Frame& frame, const cv::Mat& rgb, const cv::Mat& depth) {
+  current_ = {rgb, depth, frame.mTimeStamp};
+  if (!settings_.mask) return;
+  const Stopwatch watch;
+  try {
+    drop_dynamic_features(frame);
+  } catch (const std::exception&) {
+    ++masked_.failed;
+  }
+  note("tracking: mask features", watch.milliseconds());
 }
 
 void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
@@ -62,6 +73,7 @@ void SemanticSlam::LoopCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& c
 }
 
 void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates) {
+  refresh_if_corrected();
   const Stopwatch watch;
   graph_ms_ = 0.0;
   places_ = database_.relocalization_places(*frame);
@@ -122,18 +134,41 @@ std::optional<topobag::TopologyGraph<>> SemanticSlam::graph_of_lost(const Frame&
   return graph;
 }
 
-topobag::KeyframeSighting SemanticSlam::sight(const semantic::Images& images, const char* stage) {
+std::vector<topobag::RangedDetection> SemanticSlam::detect(const Images& images) {
+  const std::lock_guard<std::mutex> lock(detect_mutex_);
+  return detect_(images);
+}
+
+topobag::KeyframeSighting SemanticSlam::sight(const Images& images, const char* stage) {
   const Stopwatch watch;
-  std::vector<topobag::RangedDetection> detections;
-  {
-    const std::lock_guard<std::mutex> lock(detect_mutex_);
-    detections = detect_(images);
-  }
+  std::vector<topobag::RangedDetection> detections = detect(images);
   note(stage, watch.milliseconds());
   return topobag::sight_keyframe(images.stamp, std::move(detections), settings_.camera, catalog_);
 }
 
+void SemanticSlam::drop_dynamic_features(Frame& frame) {
+  const topobag::DynamicFeatureMask mask(detect(current_), catalog_, *settings_.mask);
+  std::vector<bool> drop;
+  for (int i = 0; i < frame.N; ++i) {
+    const auto feature = static_cast<std::size_t>(i);
+    const cv::Point2f& pixel = frame.mvKeysUn[feature].pt;  // boxes are undistorted too
+    drop.push_back(mask(Eigen::Vector2d(pixel.x, pixel.y), frame.mvDepth[feature]));
+  }
+  const std::size_t dropped = topobag::drop_features(frame, drop);
+  masked_.seen += drop.size();
+  masked_.dropped += dropped;
+  masked_.frames += dropped > 0 ? 1 : 0;
+}
+
+void SemanticSlam::refresh_if_corrected() {
+  if (!corrected_.exchange(false)) return;
+  const Stopwatch watch;
+  database_.refresh();
+  note("graphs anew after a correction", watch.milliseconds());
+}
+
 void SemanticSlam::work(const Job& job) {
+  refresh_if_corrected();
   topobag::KeyframeSighting sighting = sight(job.images, "topology thread: detect");
   const Stopwatch watch;
   database_.observe(job.epoch, job.id, std::move(sighting));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -19,6 +20,7 @@
 
 #include <topobag/adaptors/orb_slam.hpp>
 #include <topobag/adaptors/topology_thread.hpp>
+#include <topobag/sensing/dynamic_feature_mask.hpp>
 
 namespace semantic {
 
@@ -30,7 +32,7 @@ struct Images {
 };
 
 /// What is seen in images, undistorted, with depths. Called on the topology thread and, when
-/// tracking is lost, on tracking's, not on both at a time.
+/// tracking is lost or features are masked, on tracking's, not on both at a time.
 using Detect = std::function<std::vector<topobag::RangedDetection>(const Images&)>;
 
 /// Where odometry says a lost camera is, in a frame of its own; nothing = it does not know.
@@ -41,6 +43,17 @@ struct Settings {
   topobag::OrbSlamOptions database{};
   topobag::TopologyThreadOptions thread{};
   double lost_window = 0.0;  ///< s of frames of a lost camera that are fused by odometry
+  /// Drops the features on dynamic boxes from every frame before it is tracked; needs a detector
+  /// that answers at the camera's pace.
+  std::optional<topobag::DynamicFeatureOptions> mask{};
+};
+
+/// What the mask dropped.
+struct MaskedFeatures {
+  std::size_t frames = 0;  ///< with a feature dropped
+  std::size_t dropped = 0;
+  std::size_t seen = 0;    ///< features of all frames
+  std::size_t failed = 0;  ///< frames left whole because of an exception
 };
 
 /// A place that was offered for a loop.
@@ -70,7 +83,7 @@ class SemanticSlam final
                Odometry odometry = {});
   ~SemanticSlam() override;
 
-  void Images(const cv::Mat& rgb, const cv::Mat& depth, double stamp) override;
+  void FrameMade(Frame& frame, const cv::Mat& rgb, const cv::Mat& depth) override;
   void KeyFrameMade(KeyFrame* key_frame) override;
   void Added(KeyFrame* key_frame) override;
   void Erased(KeyFrame* key_frame) override;
@@ -80,6 +93,10 @@ class SemanticSlam final
   std::vector<topobag_hooks::Place<KeyFrame>> Places() override;
   void PlacesTried(int accepted) override;
 
+  /// To be told when the host has closed a loop or finished a global bundle adjustment: the graphs
+  /// are made anew before the next key frame is worked on or the next lost frame looked up.
+  void poses_corrected() { corrected_ = true; }
+
   /// Returns when the topology thread has nothing left to do; ends it. Before the host's shutdown.
   void wait_idle() { thread_.wait_idle(); }
   void stop() { thread_.stop(); }
@@ -87,6 +104,7 @@ class SemanticSlam final
   std::size_t size() const { return database_.size(); }
   topobag::TopologyThreadCounts counts() const { return thread_.counts(); }
   std::pair<std::size_t, std::string> failures() const { return database_.failures(); }
+  MaskedFeatures masked_features() const { return masked_; }  ///< on tracking's thread
   std::vector<OfferedLoop> offered_loops() const;
   std::vector<OfferedPlaces> offered_places() const;
 
@@ -97,11 +115,14 @@ class SemanticSlam final
   struct Job {
     std::uint64_t epoch = 0;
     std::uint64_t id = 0;
-    semantic::Images images;
+    Images images;
   };
 
   std::optional<topobag::TopologyGraph<>> graph_of_lost(const Frame& frame);
-  topobag::KeyframeSighting sight(const semantic::Images& images, const char* stage);
+  std::vector<topobag::RangedDetection> detect(const Images& images);
+  topobag::KeyframeSighting sight(const Images& images, const char* stage);
+  void drop_dynamic_features(Frame& frame);
+  void refresh_if_corrected();
   void work(const Job& job);
   void note(const std::string& stage, double ms);
 
@@ -111,16 +132,18 @@ class SemanticSlam final
   const Odometry odometry_;
 
   // Tracking's alone.
-  semantic::Images current_;
+  Images current_;
   std::deque<topobag::PosedSighting> lost_;
   std::vector<topobag::OrbSlamPlace<KeyFrame>> places_;
   double graph_ms_ = 0.0;  ///< what the last lost frame's graph took; 0 = it has none
+  MaskedFeatures masked_;
 
   mutable std::mutex mutex_;  ///< of what follows
   std::map<std::string, std::vector<double>> times_;
   std::vector<OfferedLoop> offered_loops_;
   std::vector<OfferedPlaces> offered_places_;
 
+  std::atomic<bool> corrected_{false};
   std::mutex detect_mutex_;
   topobag::OrbSlamDatabase<KeyFrame, Frame, ORB_SLAM2::Map> database_;
   topobag::TopologyThread<Job> thread_;

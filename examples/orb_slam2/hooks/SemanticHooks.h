@@ -22,7 +22,8 @@ template <typename KeyFrame, typename Frame>
 class SemanticObserver {
  public:
   virtual ~SemanticObserver() = default;
-  virtual void Images(const cv::Mat& rgb, const cv::Mat& depth, double stamp) = 0;
+  /// `frame` was made of these images and of nothing else yet; its features may be dropped.
+  virtual void FrameMade(Frame& frame, const cv::Mat& rgb, const cv::Mat& depth) = 0;
   virtual void KeyFrameMade(KeyFrame* key_frame) = 0;
   virtual void Added(KeyFrame* key_frame) = 0;
   virtual void Erased(KeyFrame* key_frame) = 0;
@@ -44,8 +45,8 @@ class SemanticHooks {
 
   void SetObserver(Observer* observer) { observer_ = observer; }
 
-  void Images(const cv::Mat& rgb, const cv::Mat& depth, double stamp) {
-    if (observer_) observer_->Images(rgb, depth, stamp);
+  void FrameMade(Frame& frame, const cv::Mat& rgb, const cv::Mat& depth) {
+    if (observer_) observer_->FrameMade(frame, rgb, depth);
   }
   void KeyFrameMade(KeyFrame* key_frame) {
     if (observer_) observer_->KeyFrameMade(key_frame);
