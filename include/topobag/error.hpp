@@ -15,6 +15,7 @@ inline namespace v0 {
 /// A call that throws has changed nothing.
 class Error : public std::runtime_error {
  public:
+  /// @param index  of the offending element in the input of the caller
   explicit Error(const std::string& what, std::optional<std::size_t> index = std::nullopt)
       : std::runtime_error(what), index_(index) {}
 

@@ -18,10 +18,11 @@
 namespace topobag {
 inline namespace v0 {
 
+/// What the adaptor takes of the library, and how much it offers the host.
 struct OrbSlamOptions {
   LocalGraphOptions fusing{};  ///< key frames of `window` s make one graph; 0 = single ones
-  RecognitionOptions recognition = few_candidates(3);
-  std::size_t max_loops = 5;            ///< verified places offered for a loop
+  RecognitionOptions recognition = few_candidates(3);  ///< retrieval, matching and decision
+  std::size_t max_loops = 5;                           ///< verified places offered for a loop
   std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
   double min_loop_gap = 0.0;  ///< s between the key frames of a loop; beside the host's rule that
                               ///< covisible ones make none
@@ -60,6 +61,7 @@ class OrbSlamDatabase {
   /// lost tracker may afford the detector's time.
   using GraphOfFrame = std::function<std::optional<Graph>(const Frame&)>;
 
+  /// Without `graph_of_frame` lost frames find nothing.
   explicit OrbSlamDatabase(const OrbSlamOptions& options = {}, GraphOfFrame graph_of_frame = {})
       : options_(options),
         graph_of_frame_(std::move(graph_of_frame)),
@@ -82,11 +84,14 @@ class OrbSlamDatabase {
   // ---- As the host's KeyFrameDatabase
   // ------------------------------------------------------------
 
+  /// As `KeyFrameBag::add`.
   void add(KeyFrame* key_frame) {
     guarded([&] { return bag_.add(*key_frame), true; });
   }
 
+  /// As `KeyFrameBag::erase`: returns when nobody reads the key frame any more.
   void erase(KeyFrame* key_frame) { bag_.erase(*key_frame); }
+  /// As `KeyFrameBag::clear`: returns when nobody reads a key frame any more.
   void clear() { bag_.clear(); }
 
   /// ORB-SLAM3's.
@@ -116,6 +121,7 @@ class OrbSlamDatabase {
     merges = merge_candidates(elsewhere, merges);
   }
 
+  /// In whatever map.
   std::vector<KeyFrame*> DetectRelocalizationCandidates(
       Frame* frame, const std::vector<KeyFrame*>& of_the_host = {}) {
     return merge_candidates(relocalization_places(*frame), of_the_host);

@@ -23,16 +23,17 @@
 namespace topobag {
 inline namespace v0 {
 
+/// How a map is opened.
 struct SqliteOptions {
-  bool read_only = false;  ///< to localize: the file is not touched
-  ViewSection views = ViewSection::kept;
-  std::optional<ClassCatalog> catalog;  ///< has to be the one that the map was made with
+  bool read_only = false;                 ///< to localize: the file is not touched
+  ViewSection views = ViewSection::kept;  ///< whether views are written
+  std::optional<ClassCatalog> catalog;    ///< has to be the one that the map was made with
 };
 
 /// One run of the robot.
 struct MapSession {
-  std::uint32_t id = 0;
-  std::string name;
+  std::uint32_t id = 0;  ///< as in `EntryInfo::session`
+  std::string name;      ///< the user's own
 };
 
 /// A bag whose every change is in an SQLite file before the call returns: the map of a robot that
@@ -70,6 +71,7 @@ class SqliteBag {
 
   /// What to query.
   const Bag& bag() const noexcept { return bag_; }
+  /// The file's.
   const std::string& path() const noexcept { return connection_.path(); }
 
   /// Adds a key frame. Throws InvalidId if `id` is there already, InvalidValue as `encode` and the

@@ -26,18 +26,19 @@ enum class WhenFull {
   wait,         ///< `push` waits for room: nothing is given up, tracking may stall
 };
 
+/// How much may wait, and what then.
 struct TopologyThreadOptions {
-  std::size_t capacity = 8;  ///< key frames that may wait, >= 1
-  WhenFull when_full = WhenFull::drop_oldest;
+  std::size_t capacity = 8;                    ///< key frames that may wait, >= 1
+  WhenFull when_full = WhenFull::drop_oldest;  ///< what gives way
 };
 
 /// What became of the key frames that were handed over.
 /// pushed = processed + failed + given_up + those that wait or are being worked on.
 struct TopologyThreadCounts {
-  std::size_t pushed = 0;
-  std::size_t processed = 0;
-  std::size_t failed = 0;    ///< the work threw
-  std::size_t given_up = 0;  ///< dropped, refused, forgotten by `reset` or left by `stop`
+  std::size_t pushed = 0;     ///< handed over, taken or not
+  std::size_t processed = 0;  ///< the work returned
+  std::size_t failed = 0;     ///< the work threw
+  std::size_t given_up = 0;   ///< dropped, refused, forgotten by `reset` or left by `stop`
 };
 
 /// The semantic topology graph thread: works on key frames beside tracking, one after the other, in
@@ -50,7 +51,9 @@ struct TopologyThreadCounts {
 template <typename Input>
 class TopologyThread {
  public:
+  /// What is done with a key frame, on the thread.
   using Work = std::function<void(const Input&)>;
+  /// Hears what came to nothing.
   using OnLost = std::function<void(const Input&, const std::string& why)>;
 
   /// Throws InvalidValue for a capacity of 0.
@@ -137,6 +140,7 @@ class TopologyThread {
     if (thread_.joinable()) thread_.join();
   }
 
+  /// As they stand now.
   TopologyThreadCounts counts() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return counts_;

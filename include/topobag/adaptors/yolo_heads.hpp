@@ -22,17 +22,17 @@ enum class YoloHead {
 
 /// How detections are got out of a YOLO network.
 struct YoloOptions {
-  YoloHead head = YoloHead::yolox;
-  int input_size = 416;         ///< side of the network's square input, px
-  double min_confidence = 0.1;  ///< score of a detection that is kept
-  double max_iou = 0.45;        ///< overlap up to which two boxes of one class are two objects
+  YoloHead head = YoloHead::yolox;  ///< how the output is laid out
+  int input_size = 416;             ///< side of the network's square input, px
+  double min_confidence = 0.1;      ///< score of a detection that is kept
+  double max_iou = 0.45;            ///< overlap up to which two boxes of one class are two objects
 };
 
 /// What a network puts out for one image, row by row.
 struct NetworkOutput {
-  const float* data = nullptr;
-  std::size_t rows = 0;
-  std::size_t columns = 0;
+  const float* data = nullptr;  ///< row by row; not owned
+  std::size_t rows = 0;         ///< of the matrix
+  std::size_t columns = 0;      ///< of the matrix
 };
 
 namespace detail {

@@ -35,6 +35,7 @@ class BagOfTopologyGraphs {
       is_similarity_v<Similarity, Graph>,
       "topobag: a similarity is callable as similarity(graph, graph) -> double in [0, 1].");
 
+  /// An empty bag.
   explicit BagOfTopologyGraphs(Similarity similarity = {}) : similarity_(std::move(similarity)) {}
 
   /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue

@@ -28,6 +28,7 @@ class BagView {
   using Graph = TopologyGraph<double>;
   using Similarity = ClassPairDistanceHistogram;
 
+  /// For `IndexedBag`, which makes views.
   BagView(std::shared_ptr<const Similarity> similarity, detail::BagParts parts)
       : similarity_(std::move(similarity)), parts_(std::move(parts)) {}
 
@@ -101,6 +102,7 @@ class BagView {
     return usage;
   }
 
+  /// By which entries are compared.
   const Similarity& similarity() const noexcept { return *similarity_; }
 
  private:

@@ -21,6 +21,7 @@ struct MapRegion {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< m, world
   double radius = 0.0;                               ///< m
 
+  /// Whether the point (m, world) lies in the ball.
   bool contains(const Eigen::Vector3d& point) const {
     return (point - center).squaredNorm() <= radius * radius;
   }
@@ -28,8 +29,8 @@ struct MapRegion {
 
 /// Which entries of a bag are asked: those that pass every test that is set.
 struct EntryFilter {
-  KeyframeId min_id{0};
-  KeyframeId max_id{std::numeric_limits<std::uint64_t>::max()};
+  KeyframeId min_id{0};                                          ///< the least that is asked
+  KeyframeId max_id{std::numeric_limits<std::uint64_t>::max()};  ///< the greatest that is asked
   std::optional<double> min_stamp;      ///< s; with it, entries without a stamp are left out
   std::optional<double> max_stamp;      ///< s; likewise
   std::vector<std::uint32_t> sessions;  ///< any of these; empty = all
@@ -43,6 +44,7 @@ struct EntryFilter {
            !sessions.empty() || !labels.empty() || region;
   }
 
+  /// Whether the entry passes every test that is set.
   bool contains(KeyframeId id, const EntryInfo& info) const {
     const auto any_of = [](const auto& wanted, const auto& value) {
       return wanted.empty() || std::find(wanted.begin(), wanted.end(), value) != wanted.end();

@@ -15,10 +15,10 @@ inline namespace v0 {
 
 /// What is known of a key frame beside its graph. All of it is optional.
 struct EntryInfo {
-  std::optional<double> stamp;  ///< s
-  std::uint32_t session = 0;    ///< which run of the robot
-  std::optional<Eigen::Isometry3d> T_world_camera;
-  std::string label;  ///< the user's own: a map, a floor, a robot
+  std::optional<double> stamp;                      ///< s
+  std::uint32_t session = 0;                        ///< which run of the robot
+  std::optional<Eigen::Isometry3d> T_world_camera;  ///< pose of the camera in the map
+  std::string label;                                ///< the user's own: a map, a floor, a robot
 
   /// Throws InvalidValue for a number that is not finite.
   void validate() const {

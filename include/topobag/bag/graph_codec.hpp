@@ -72,6 +72,7 @@ TopologyGraph<Scalar> decode(const std::uint8_t* data, std::size_t size) {
   return TopologyGraph<Scalar>(std::move(nodes), std::move(edges), std::move(views));
 }
 
+/// The same of all bytes.
 template <typename Scalar = double>
 TopologyGraph<Scalar> decode(const std::vector<std::uint8_t>& bytes) {
   return decode<Scalar>(bytes.data(), bytes.size());

@@ -14,6 +14,7 @@ struct MemoryUsage {
   std::size_t index = 0;    ///< what makes queries fast
   std::size_t entries = 0;  ///< ids, infos and the rest
 
+  /// All of it.
   std::size_t total() const noexcept { return graphs + index + entries; }
 };
 

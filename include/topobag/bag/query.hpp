@@ -19,11 +19,12 @@ inline namespace v0 {
 struct ExcludedNeighbors {
   std::optional<KeyframeId>
       id;  ///< the query's; with it, ids less than `min_id_gap` away are left out
-  std::uint64_t min_id_gap = 1;
+  std::uint64_t min_id_gap = 1;  ///< ids nearer to `id` than this are left out
   std::optional<double>
       stamp;  ///< the query's, s; with it, entries are left out that have no stamp or
   double min_time_gap = 0.0;  ///< are less than this apart from it, s
 
+  /// Whether the entry is too near to the query.
   bool contains(KeyframeId entry, const EntryInfo& info) const {
     if (id) {
       const std::uint64_t a = value(*id), b = value(entry);
@@ -33,11 +34,12 @@ struct ExcludedNeighbors {
   }
 };
 
+/// Which entries are asked, and how many come back.
 struct QueryOptions {
-  std::size_t max_results = 10;
-  double min_score = 0.0;  ///< similarity below which an entry is no candidate
-  ExcludedNeighbors exclude;
-  EntryFilter among;  ///< by id, time, session, label and place
+  std::size_t max_results = 10;  ///< the best so many
+  double min_score = 0.0;        ///< similarity below which an entry is no candidate
+  ExcludedNeighbors exclude;     ///< key frames of the present visit
+  EntryFilter among;             ///< by id, time, session, label and place
   std::function<bool(KeyframeId, const EntryInfo&)>
       filter;  ///< when set, only entries it returns true for
 
@@ -54,7 +56,7 @@ struct QueryOptions {
 
 /// An entry of the bag that resembles the query.
 struct Candidate {
-  KeyframeId id{};
+  KeyframeId id{};     ///< of the entry
   double score = 0.0;  ///< similarity in [0, 1]
 
   /// Best first: by falling score, ties by id.

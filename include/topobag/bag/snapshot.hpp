@@ -21,9 +21,10 @@
 namespace topobag {
 inline namespace v0 {
 
+/// What is saved beside the entries themselves.
 struct SaveOptions {
   std::uint64_t catalog_fingerprint = 0;  ///< of the classes in use; 0 = not stated
-  ViewSection views = ViewSection::kept;
+  ViewSection views = ViewSection::kept;  ///< whether views are written
 };
 
 namespace detail {

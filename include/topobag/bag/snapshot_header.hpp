@@ -23,17 +23,19 @@ inline namespace v0 {
 
 /// What a saved bag says of itself before its entries.
 struct SnapshotHeader {
-  static constexpr std::uint32_t latest_version = 1;
+  /// Of the format that this library writes.
+  static constexpr std::uint32_t latest_version = 1;  ///< that this library writes
 
-  std::uint32_t format_version = latest_version;
+  std::uint32_t format_version = latest_version;  ///< of the file
+  /// Of the topobag that wrote it: major · 65536 + minor · 256 + patch.
   std::uint32_t library_version =
       TOPOBAG_VERSION_MAJOR << 16 | TOPOBAG_VERSION_MINOR << 8 | TOPOBAG_VERSION_PATCH;
-  std::uint32_t codec_version = graph_codec_version;
-  std::uint8_t id_bytes = sizeof(KeyframeId);
-  std::uint8_t class_bytes = sizeof(ClassId);
+  std::uint32_t codec_version = graph_codec_version;  ///< of its graphs
+  std::uint8_t id_bytes = sizeof(KeyframeId);         ///< size of a key frame id
+  std::uint8_t class_bytes = sizeof(ClassId);         ///< size of a class id
   std::uint8_t scalar_bytes = sizeof(double);  ///< of the graphs that were saved; any can be loaded
-  std::uint64_t entries = 0;
-  std::uint64_t catalog_fingerprint = 0;  ///< see `fingerprint`; 0 = not stated
+  std::uint64_t entries = 0;                   ///< how many follow
+  std::uint64_t catalog_fingerprint = 0;       ///< see `fingerprint`; 0 = not stated
 };
 
 namespace detail {
@@ -45,6 +47,7 @@ inline constexpr std::size_t snapshot_header_bytes = 40;
 
 }  // namespace detail
 
+/// As it stands at the beginning of a saved bag.
 inline std::vector<std::uint8_t> to_bytes(const SnapshotHeader& header) {
   detail::BitWriter writer;
   for (const std::uint8_t byte : detail::snapshot_magic) writer.put(byte, 8);

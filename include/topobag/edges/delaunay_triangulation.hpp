@@ -64,6 +64,7 @@ class DelaunayTriangulation {
     return *this;
   }
 
+  /// O(1).
   void swap(DelaunayTriangulation& other) {
     triangulation_.swap(other.triangulation_);
     vertices_.swap(other.vertices_);
@@ -104,6 +105,7 @@ class DelaunayTriangulation {
     return vertex;
   }
 
+  /// Takes all vertices out; every index is free.
   void clear() {
     triangulation_.clear();
     vertices_.clear();

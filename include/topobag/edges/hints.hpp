@@ -49,9 +49,11 @@ class LastUsedVertexHint {
 /// each insertion and removal. Pays from about 10⁴ vertices on with queries all over the place.
 class HierarchyHint {
  public:
+  /// None: the hierarchy starts by itself.
   std::optional<NodeIndex> suggest(const Eigen::Vector2d& /*position*/) const noexcept {
     return std::nullopt;
   }
+  /// Nothing has to be kept.
   void notice(NodeIndex /*vertex*/) const noexcept {}
 };
 

@@ -46,6 +46,7 @@ inline double mitigate_underflow(double coordinate) noexcept {
 /// A position that cannot be triangulated. The index is that of the vertex or node in the input.
 class InsertionError : public InvalidValue {
  public:
+  /// The sentence follows from the fault.
   explicit InsertionError(CoordinateFault fault, std::optional<std::size_t> index = std::nullopt)
       : InvalidValue(sentence(fault, index), index), fault_(fault) {}
 

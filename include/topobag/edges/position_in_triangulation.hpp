@@ -15,6 +15,7 @@ struct DirectedEdge {
   NodeIndex from{};  ///< where it starts
   NodeIndex to{};    ///< where it ends
 
+  /// The same edge the other way.
   DirectedEdge reversed() const noexcept { return {to, from}; }
 
   friend bool operator==(const DirectedEdge& l, const DirectedEdge& r) noexcept {

@@ -25,6 +25,7 @@ struct Alignment {
   }
 };
 
+/// What an alignment may change.
 enum class AlignmentModel {
   none,  ///< the estimate is in the ground truth's world already
   se3,   ///< rotation and translation (Horn, JOSA 1987)

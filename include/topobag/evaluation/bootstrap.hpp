@@ -15,9 +15,10 @@
 namespace topobag {
 inline namespace v0 {
 
+/// How many resamples, drawn how.
 struct ResamplingOptions {
-  std::size_t resamples = 1000;
-  std::uint64_t seed = 1;  ///< equal seeds give equal results on every machine
+  std::size_t resamples = 1000;  ///< samples drawn
+  std::uint64_t seed = 1;        ///< equal seeds give equal results on every machine
 };
 
 /// Calls `visit(multiplicity)` for every bootstrap resample of n units (queries: the pairs of one
@@ -34,9 +35,10 @@ void for_each_resample(std::size_t n, const ResamplingOptions& options, Visit&& 
   }
 }
 
+/// The two ends of an interval.
 struct ConfidenceInterval {
-  double low = 0.0;
-  double high = 0.0;
+  double low = 0.0;   ///< lower end
+  double high = 0.0;  ///< upper end
 };
 
 /// The central interval that holds `level` of the values, linear between neighbours; nothing of an

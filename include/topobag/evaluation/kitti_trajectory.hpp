@@ -31,6 +31,7 @@ inline Trajectory read_kitti(std::istream& stream, const std::string& name) {
   return trajectory;
 }
 
+/// The same from a file.
 inline Trajectory read_kitti(const std::string& path) {
   std::ifstream file = detail::open_file(path);
   return read_kitti(file, path);

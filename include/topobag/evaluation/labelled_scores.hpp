@@ -21,22 +21,22 @@ using ScoreMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen:
 
 /// One score of a method that does not score every pair.
 struct ScoredPair {
-  std::uint32_t query = 0;
-  std::uint32_t candidate = 0;
-  double score = 0.0;  ///< higher = more alike
+  std::uint32_t query = 0;      ///< row of the score matrix
+  std::uint32_t candidate = 0;  ///< column of the score matrix
+  double score = 0.0;           ///< higher = more alike
 };
 
 /// A score with what the protocol says of its pair.
 struct LabelledScore {
-  double score = 0.0;
-  std::uint32_t query = 0;
-  bool positive = false;
+  double score = 0.0;       ///< higher = more alike
+  std::uint32_t query = 0;  ///< row of the score matrix
+  bool positive = false;    ///< what the protocol says of the pair
 };
 
 /// How many evaluated pairs a query has, scored or not.
 struct PairTotals {
-  std::size_t positives = 0;
-  std::size_t negatives = 0;
+  std::size_t positives = 0;  ///< true pairs
+  std::size_t negatives = 0;  ///< false pairs
 };
 
 /// What a protocol makes of a method's scores: all that the retrieval metrics need.

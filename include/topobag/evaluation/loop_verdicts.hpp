@@ -13,15 +13,17 @@ inline namespace v0 {
 /// How many accepted matches are worth what as loop constraints: a question apart from retrieval,
 /// since two opposite views of one desk are far from the same place and yet make a correct loop.
 struct LoopVerdicts {
-  std::size_t correct = 0;
-  std::size_t imprecise = 0;
-  std::size_t wrong = 0;
+  std::size_t correct = 0;    ///< within both correct limits
+  std::size_t imprecise = 0;  ///< between the limits
+  std::size_t wrong = 0;      ///< beyond a wrong limit
 
+  /// Counts one more accepted match.
   void add(PoseVerdict verdict) noexcept {
     ++(verdict == PoseVerdict::correct     ? correct
        : verdict == PoseVerdict::imprecise ? imprecise
                                            : wrong);
   }
+  /// All that were counted.
   std::size_t accepted() const noexcept { return correct + imprecise + wrong; }
 
   /// Valid-loop precision: correct / accepted; undefined when nothing was accepted.

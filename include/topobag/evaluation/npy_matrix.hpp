@@ -142,6 +142,7 @@ inline ScoreMatrix read_npy(std::istream& stream, const std::string& name) {
               "'; save it as little-endian float32 or float64.");
 }
 
+/// The same from a file.
 inline ScoreMatrix read_npy(const std::string& path) {
   std::ifstream file = detail::open_file(path);
   return read_npy(file, path);

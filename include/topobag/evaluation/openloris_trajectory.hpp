@@ -82,6 +82,7 @@ inline LifelongTrajectories read_openloris(std::istream& stream, const std::stri
   return file;
 }
 
+/// The same from a file.
 inline LifelongTrajectories read_openloris(const std::string& path,
                                            RepeatedPoses repeated = RepeatedPoses::drop) {
   std::ifstream file = detail::open_file(path);

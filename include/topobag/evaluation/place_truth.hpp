@@ -38,8 +38,11 @@ class PlaceTruth {
     }
   }
 
+  /// Poses of the query trajectory.
   std::size_t num_queries() const noexcept { return queries_.size(); }
+  /// Poses of the map's trajectory.
   std::size_t num_candidates() const noexcept { return map_.size(); }
+  /// By which pairs are judged.
   const PlaceProtocol& protocol() const noexcept { return protocol_; }
 
   /// What the protocol says of a pair. O(1).

@@ -20,6 +20,7 @@ inline double rotation_angle_deg(const Eigen::Quaterniond& rotation) {
   return 2.0 * std::atan2(rotation.vec().norm(), std::abs(rotation.w())) * degrees_per_radian;
 }
 
+/// The same of a rotation matrix.
 inline double rotation_angle_deg(const Eigen::Matrix3d& rotation) {
   return rotation_angle_deg(Eigen::Quaterniond(rotation));
 }

@@ -15,15 +15,17 @@ inline namespace v0 {
 
 /// What accepting every score >= `threshold` gives.
 struct OperatingPoint {
-  double threshold = 0.0;
-  std::size_t true_positives = 0;
-  std::size_t false_positives = 0;
-  std::size_t positives = 0;  ///< ground truth: accepted or not
+  double threshold = 0.0;           ///< scores from here on are accepted
+  std::size_t true_positives = 0;   ///< true pairs accepted
+  std::size_t false_positives = 0;  ///< false pairs accepted
+  std::size_t positives = 0;        ///< ground truth: accepted or not
 
+  /// True ones among the accepted; NaN when none is accepted.
   double precision() const noexcept {
     return static_cast<double>(true_positives) /
            static_cast<double>(true_positives + false_positives);
   }
+  /// Accepted ones among the true; NaN when there is none.
   double recall() const noexcept {
     return static_cast<double>(true_positives) / static_cast<double>(positives);
   }

@@ -23,13 +23,15 @@ inline std::vector<std::size_t> first_positive_ranks(const LabelledScores& label
   return ranks;
 }
 
-/// Recall@K under both denominators in use; undefined where there is no such query.
+/// Recall at K under both denominators in use; undefined where there is no such query.
 struct RecallAtK {
-  std::size_t hits = 0;  ///< queries whose top K contain a positive
-  std::size_t queries_with_positive = 0;
-  std::size_t queries = 0;
+  std::size_t hits = 0;                   ///< queries whose top K contain a positive
+  std::size_t queries_with_positive = 0;  ///< that have a true candidate
+  std::size_t queries = 0;                ///< all of them
 
+  /// Over the queries that have a true candidate.
   std::optional<double> of_queries_with_positive() const { return ratio(queries_with_positive); }
+  /// Over all queries.
   std::optional<double> of_all_queries() const { return ratio(queries); }
 
  private:
@@ -39,7 +41,7 @@ struct RecallAtK {
   }
 };
 
-/// Recall@K, K >= 1. O(n).
+/// Recall at K, K >= 1. O(n).
 inline RecallAtK recall_at_k(const LabelledScores& labelled, std::size_t k) {
   TOPOBAG_ASSERT(k >= 1);
   RecallAtK recall;

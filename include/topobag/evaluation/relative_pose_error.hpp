@@ -14,11 +14,12 @@ inline namespace v0 {
 
 /// Over which steps the relative pose error is taken.
 struct RelativeStep {
+  /// What a step's length is measured in.
   enum class Unit { frames, seconds, metres };
-  Unit unit = Unit::frames;
-  double length = 1.0;     ///< Δ: pairs of poses, s, or m along the true path; > 0
-  double tolerance = 0.1;  ///< a step may differ from Δ by this share of it
-  bool all_starts = true;  ///< every pose starts a step; else each where the last one ended
+  Unit unit = Unit::frames;  ///< of `length`
+  double length = 1.0;       ///< Δ: pairs of poses, s, or m along the true path; > 0
+  double tolerance = 0.1;    ///< a step may differ from Δ by this share of it
+  bool all_starts = true;    ///< every pose starts a step; else each where the last one ended
 };
 
 namespace detail {

@@ -17,7 +17,7 @@ inline namespace v0 {
 
 /// Scores of some pairs, and the relative poses that a method gives them, if it does.
 struct ScoreList {
-  std::vector<ScoredPair> pairs;
+  std::vector<ScoredPair> pairs;                     ///< in the file's order
   std::vector<Eigen::Isometry3d> T_candidate_query;  ///< one per pair, or none at all
 };
 
@@ -90,6 +90,7 @@ inline std::variant<ScoreMatrix, ScoreList> read_score_csv(std::istream& stream,
   return detail::read_score_rows(lines, line);
 }
 
+/// The same from a file.
 inline std::variant<ScoreMatrix, ScoreList> read_score_csv(const std::string& path) {
   std::ifstream file = detail::open_file(path);
   return read_score_csv(file, path);

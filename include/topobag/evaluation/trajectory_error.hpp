@@ -17,7 +17,7 @@ inline namespace v0 {
 /// What a list of errors comes to, in its own unit.
 struct ErrorStatistics {
   std::size_t count = 0;
-  double rmse = 0.0;
+  double rmse = 0.0;  ///< root of the mean square
   double mean = 0.0;
   double median = 0.0;
   double max = 0.0;

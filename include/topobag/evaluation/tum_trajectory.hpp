@@ -38,6 +38,7 @@ inline Trajectory read_tum(std::istream& stream, const std::string& name) {
   return trajectory;
 }
 
+/// The same from a file.
 inline Trajectory read_tum(const std::string& path) {
   std::ifstream file = detail::open_file(path);
   return read_tum(file, path);

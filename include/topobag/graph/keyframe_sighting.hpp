@@ -21,11 +21,12 @@ inline namespace v0 {
 struct KeyframeSighting {
   double stamp = 0.0;                 ///< s
   std::vector<SemanticNode<>> nodes;  ///< in the key frame's camera frame
-  View<> view;
+  View<> view;                        ///< its camera and what hides things from it
 };
 
+/// What of a key frame's detections is used.
 struct SightingOptions {
-  LiftOptions lifting{};
+  LiftOptions lifting{};             ///< which detections become nodes
   std::size_t max_detections = 256;  ///< the surest are used: a detector gone wild costs no more
 };
 

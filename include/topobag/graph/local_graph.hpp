@@ -23,6 +23,7 @@
 namespace topobag {
 inline namespace v0 {
 
+/// Over how long nodes are fused, and which are one object.
 struct LocalGraphOptions {
   double window = 3.0;            ///< s; views older than the newest by more are forgotten
   double gate = 3.0;              ///< σ within which a sighting joins an object of its class
@@ -49,6 +50,7 @@ class LocalGraph {
   using Node = SemanticNode<Scalar>;
   using Pose = Eigen::Transform<Scalar, 3, Eigen::Isometry>;
 
+  /// Without a key frame yet.
   explicit LocalGraph(LocalGraphOptions options = {}) : options_(options) {}
 
   /// Adds the nodes of the next key frame. Nodes without a position are left out.
@@ -103,6 +105,7 @@ class LocalGraph {
     return kept;
   }
 
+  /// Key frames in the window.
   std::size_t view_count() const noexcept { return frames_.size(); }
 
  private:

@@ -42,11 +42,11 @@ struct ObjectTrack {
   /// One node of one view, with its position and covariance in the local graph's frame.
   struct Sighting {
     std::size_t view = 0;  ///< number of the view, ascending
-    Node node;
+    Node node;             ///< in the frame of the newest view
   };
 
-  ObjectId id{};
-  std::vector<Sighting> sightings;
+  ObjectId id{};                    ///< stays with the object
+  std::vector<Sighting> sightings;  ///< by rising view
 
   /// Class with the most confidence behind it; ties go to the smaller number.
   ClassId label() const {

@@ -53,7 +53,9 @@ class TopologyGraph {
     }
   }
 
+  /// In the order in which they were given.
   const std::vector<Node>& nodes() const noexcept { return nodes_; }
+  /// Precondition: the graph has it.
   const Node& node(NodeIndex i) const noexcept { return nodes_[value(i)]; }
   std::size_t size() const noexcept { return nodes_.size(); }
   bool empty() const noexcept { return nodes_.empty(); }

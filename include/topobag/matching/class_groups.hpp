@@ -32,6 +32,7 @@ class ClassGroups {
     return it == groups_.end() ? label : it->second;
   }
 
+  /// Whether the two are of one group.
   bool compatible(ClassId a, ClassId b) const { return a == b || group(a) == group(b); }
 
  private:

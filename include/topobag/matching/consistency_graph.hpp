@@ -61,6 +61,7 @@ class ConsistencyGraph {
 
   /// Sorted by query node, then candidate node.
   const std::vector<Correspondence>& pairs() const noexcept { return pairs_; }
+  /// Which pairs agree: symmetric, false on the diagonal.
   const detail::BitMatrix& agreement() const noexcept { return agreement_; }
 
   /// Query node of each pair: two pairs of one query node never agree.

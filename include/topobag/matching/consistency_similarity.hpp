@@ -32,12 +32,13 @@ inline namespace v0 {
 /// seen, still the same in both orders of the arguments and any order of the nodes. Descriptor O(n
 /// log n); similarity that of `match_nodes`.
 struct ConsistencySimilarity {
-  MatchNodesOptions matching{};
-  double sigma = 0.075;  ///< m, > 0; of the difference of two distances that agree
+  MatchNodesOptions matching{};  ///< how the sets are searched
+  double sigma = 0.075;          ///< m, > 0; of the difference of two distances that agree
 
   /// All that the matching reads of a node: class; position, covariance, size.
   using Object = std::tuple<ClassId, std::array<double, 14>>;
 
+  /// A graph in an order that does not depend on the nodes'.
   struct Descriptor {
     std::vector<Object> objects;    ///< with a position, ascending
     TopologyGraph<double> placed;   ///< the same as a graph without edges

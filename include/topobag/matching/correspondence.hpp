@@ -11,8 +11,8 @@ inline namespace v0 {
 
 /// A node of the candidate graph and a node of the query graph taken for the same object.
 struct Correspondence {
-  NodeIndex candidate{};
-  NodeIndex query{};
+  NodeIndex candidate{};  ///< node of the candidate graph
+  NodeIndex query{};      ///< node of the query graph
 
   friend bool operator==(const Correspondence& l, const Correspondence& r) noexcept {
     return l.candidate == r.candidate && l.query == r.query;

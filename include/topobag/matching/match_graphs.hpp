@@ -27,14 +27,15 @@
 namespace topobag {
 inline namespace v0 {
 
+/// How poses are found and scored.
 struct MatchOptions {
-  ConsistencyOptions consistency{};
-  ChanceModel chance{};
-  MissingObjects missing{};
-  ViewpointPrior viewpoint{};
-  RefineOptions refine{};
-  std::size_t max_steps = 20000;  ///< branches of the clique search
-  std::size_t slack = 1;          ///< cliques this much smaller than the largest are tried as well
+  ConsistencyOptions consistency{};  ///< which pairs of nodes agree
+  ChanceModel chance{};              ///< how often chance does as well
+  MissingObjects missing{};          ///< what absent objects cost
+  ViewpointPrior viewpoint{};        ///< how likely a revisit is turned so
+  RefineOptions refine{};            ///< the fit over all objects
+  std::size_t max_steps = 20000;     ///< branches of the clique search
+  std::size_t slack = 1;  ///< cliques this much smaller than the largest are tried as well
   std::size_t max_hypotheses =
       64;  ///< cliques whose pose is worked out, largest and tightest first
   double inlier_deviations =

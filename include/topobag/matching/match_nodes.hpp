@@ -14,8 +14,9 @@
 namespace topobag {
 inline namespace v0 {
 
+/// How sets of agreeing nodes are searched.
 struct MatchNodesOptions {
-  ConsistencyOptions consistency{};
+  ConsistencyOptions consistency{};  ///< which pairs of nodes agree
   std::size_t max_steps =
       20000;  ///< branches of the search after which the best so far is returned
 };

@@ -16,11 +16,12 @@ inline namespace v0 {
 
 /// Two measurements of one object's position and the covariance of each, m and m².
 struct PointPair {
-  Eigen::Vector3d target;
-  Eigen::Vector3d source;
-  Eigen::Matrix3d target_covariance;
-  Eigen::Matrix3d source_covariance;
+  Eigen::Vector3d target;             ///< m, target frame
+  Eigen::Vector3d source;             ///< m, source frame
+  Eigen::Matrix3d target_covariance;  ///< m², target frame
+  Eigen::Matrix3d source_covariance;  ///< m², source frame
 
+  /// Target less moved source, m.
   Eigen::Vector3d residual(const Eigen::Isometry3d& T_target_source) const {
     return target - T_target_source * source;
   }
@@ -38,14 +39,16 @@ struct PointPair {
   }
 };
 
+/// A pose and how certain it is.
 struct RefinedPose {
-  Eigen::Isometry3d T_target_source;
+  Eigen::Isometry3d T_target_source;  ///< source to target
   /// Of ξ = (translation, rotation) in the target's frame, m and rad.
   Eigen::Matrix<double, 6, 6> covariance;
 };
 
+/// How far the refinement goes.
 struct RefineOptions {
-  int iterations = 5;
+  int iterations = 5;         ///< Gauss-Newton steps at most
   double kernel_width = 3.0;  ///< standard deviations at which the Geman–McClure kernel bends
 };
 

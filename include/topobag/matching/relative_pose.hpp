@@ -35,7 +35,7 @@ struct RelativePose {
   /// What `significance` loses to objects that should have been seen and were not
   /// (`missing_objects.hpp`).
   std::vector<MissingObject> missing;
-  double missing_cost = 0.0;
+  double missing_cost = 0.0;  ///< of the objects in `missing`
   /// log10 of the prior odds of the rotation (`viewpoint_prior.hpp`).
   double viewpoint_odds = 0.0;
 

@@ -17,7 +17,7 @@ inline namespace v0 {
 
 /// A rigid motion between two point sets, and how well the points pin it down.
 struct RigidFit {
-  Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();  ///< source to target
   double rms = 0.0;     ///< of the weighted residuals, m
   double spread = 0.0;  ///< r.m.s. distance of the source points from the line that fits them best,
                         ///< m; 0 = collinear

@@ -33,10 +33,11 @@ inline std::optional<double> false_score(const Recognition& recognition) {
 /// floor plan or the session.
 using OtherPlaces = std::function<bool(KeyframeId, KeyframeId)>;
 
+/// How a map is asked for its own false scores.
 struct CalibrateOptions {
-  std::size_t null_look_ups = 400;  ///< when the map has too few certain negatives
-  std::uint32_t seed = 1;           ///< of the null model
-  CalibrationOptions calibration{};
+  std::size_t null_look_ups = 400;   ///< when the map has too few certain negatives
+  std::uint32_t seed = 1;            ///< of the null model
+  CalibrationOptions calibration{};  ///< how scores become rates
 };
 
 /// Learns from a map itself: every key frame is looked up among those that `other_places` says

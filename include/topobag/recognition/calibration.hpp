@@ -13,6 +13,7 @@ inline namespace v0 {
 /// What a calibration goes by.
 enum class CalibrationSource { null_model, certain_negatives };
 
+/// When certain negatives are enough, and what is expected beforehand.
 struct CalibrationOptions {
   std::size_t min_negatives = 200;  ///< certain negatives from which on the null model is left
   double prior = 0.5;               ///< share of look-ups that are of a place in the map
@@ -39,8 +40,10 @@ class Calibration {
   /// A look-up of a layout that is nowhere.
   void add_null(std::optional<double> score) { null_.add(score); }
 
+  /// Certain negatives that were added.
   std::size_t negatives() const noexcept { return negatives_.size(); }
 
+  /// What the answers go by at present.
   CalibrationSource source() const noexcept {
     return negatives_.size() >= options_.min_negatives ? CalibrationSource::certain_negatives
                                                        : CalibrationSource::null_model;
@@ -55,6 +58,7 @@ class Calibration {
     return current().threshold(false_accept_rate);
   }
 
+  /// The share of false look-ups that reach `score`.
   FalseAcceptRate false_accept_rate(double score) const { return current().rate(score); }
 
   /// P(true | a look-up reaches `score`) by Bayes' rule, were every true look-up to reach it.

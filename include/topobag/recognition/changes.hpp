@@ -17,12 +17,14 @@
 namespace topobag {
 inline namespace v0 {
 
+/// What became of an object.
 enum class ChangeKind {
   moved,     ///< gone from where it was, and one of its class stands elsewhere
   appeared,  ///< stands where the candidate's cameras saw nothing
   gone,      ///< the query's cameras see nothing where it stood
 };
 
+/// In a word, for a log.
 inline const char* to_string(ChangeKind kind) noexcept {
   switch (kind) {
     case ChangeKind::moved:
@@ -37,18 +39,19 @@ inline const char* to_string(ChangeKind kind) noexcept {
 
 /// An object that is not where it was.
 struct ObjectChange {
-  ChangeKind kind = ChangeKind::gone;
-  ClassId label{};
+  ChangeKind kind = ChangeKind::gone;     ///< what happened
+  ClassId label{};                        ///< class of the object
   std::optional<NodeIndex> candidate;     ///< the object as it was
   std::optional<NodeIndex> query;         ///< the object as it is
   std::optional<Eigen::Vector3d> before;  ///< where it was, in the candidate's frame, m
   std::optional<Eigen::Vector3d> after;   ///< where it is, in the candidate's frame, m
 };
 
+/// When an object is the same one, and when it has moved.
 struct ChangeOptions {
-  ClassGroups classes{};  ///< as for the matching
-  CoincidenceOptions unchanged{};
-  double max_move = 3.0;  ///< m; further away it is another object
+  ClassGroups classes{};           ///< as for the matching
+  CoincidenceOptions unchanged{};  ///< when an object is where it was
+  double max_move = 3.0;           ///< m; further away it is another object
 };
 
 /// What changed between a place's graph and the query's, by a pose that was verified: objects that

@@ -21,8 +21,8 @@ inline namespace v0 {
 
 /// One thing that was asked of a candidate.
 struct ExplainedStage {
-  std::string name;
-  bool passed = false;
+  std::string name;      ///< of the stage
+  bool passed = false;   ///< whether the candidate did
   double value = 0.0;    ///< what the candidate has
   double asked = 0.0;    ///< what it should have
   bool at_least = true;  ///< or at most
@@ -34,19 +34,19 @@ struct ExplainedStage {
 
 /// Two objects taken for one.
 struct ExplainedMatch {
-  NodeIndex candidate{};
-  NodeIndex query{};
-  std::string candidate_class;
-  std::string query_class;
-  double distance = 0.0;    ///< under the pose, m
-  double deviations = 0.0;  ///< the same in standard deviations
+  NodeIndex candidate{};        ///< node of the candidate graph
+  NodeIndex query{};            ///< node of the query graph
+  std::string candidate_class;  ///< class of the candidate's node
+  std::string query_class;      ///< class of the query's node
+  double distance = 0.0;        ///< under the pose, m
+  double deviations = 0.0;      ///< the same in standard deviations
 };
 
 /// An object that was expected and is missing.
 struct ExplainedMissing {
-  NodeIndex node{};
+  NodeIndex node{};          ///< in its own graph
   bool of_candidate = true;  ///< whether the candidate holds it, or the query
-  std::string class_name;
+  std::string class_name;    ///< name of the object's class
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the candidate's frame, m
   std::size_t views = 0;           ///< cameras of the other graph that should have shown it
   std::size_t measured_views = 0;  ///< of those, the ones whose measured depth says so
@@ -55,20 +55,20 @@ struct ExplainedMissing {
 
 /// What changed, with the class by name.
 struct ExplainedChange {
-  ObjectChange change;
-  std::string class_name;
+  ObjectChange change;     ///< the change itself
+  std::string class_name;  ///< name of the object's class
 };
 
 /// Why one candidate was or was not accepted.
 struct CandidateExplanation {
-  KeyframeId id{};
-  Verdict verdict = Verdict::no_agreement;
-  double similarity = 0.0;              ///< of the retrieval
-  std::optional<double> confidence;     ///< P(true), when the decision is calibrated
-  std::vector<ExplainedStage> stages;   ///< in the order in which they are asked
-  std::vector<ExplainedMatch> matched;  ///< under the pose that was judged
-  std::vector<ExplainedMissing> missing;
-  std::vector<ExplainedChange> changes;  ///< of a candidate that passed every stage
+  KeyframeId id{};                          ///< of the candidate
+  Verdict verdict = Verdict::no_agreement;  ///< how far it came
+  double similarity = 0.0;                  ///< of the retrieval
+  std::optional<double> confidence;         ///< P(true), when the decision is calibrated
+  std::vector<ExplainedStage> stages;       ///< in the order in which they are asked
+  std::vector<ExplainedMatch> matched;      ///< under the pose that was judged
+  std::vector<ExplainedMissing> missing;    ///< expected and not seen
+  std::vector<ExplainedChange> changes;     ///< of a candidate that passed every stage
 
   /// The threshold that decided against it; null when all were reached.
   const ExplainedStage* failed() const noexcept {
@@ -85,6 +85,7 @@ struct Explanation {
   std::vector<CandidateExplanation> candidates;  ///< best first
 };
 
+/// In lines, for a log.
 inline std::string to_string(const CandidateExplanation& candidate) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(2) << "key frame " << value(candidate.id) << ": "

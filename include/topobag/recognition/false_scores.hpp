@@ -16,12 +16,13 @@ inline namespace v0 {
 
 /// A share of look-ups in [0, 1].
 struct FalseAcceptRate {
-  double rate = 1.0;
+  double rate = 1.0;         ///< share of false look-ups
   bool extrapolated = true;  ///< beyond what was seen
 };
 
+/// A score to ask for.
 struct ScoreThreshold {
-  double score = 0.0;
+  double score = 0.0;        ///< the score to ask for
   bool extrapolated = true;  ///< beyond what was seen
 };
 
@@ -34,6 +35,7 @@ struct ScoreThreshold {
 /// taken for steeper than the chance model's own, 10^−score.
 class FalseScores {
  public:
+  /// `tail_share`: of the look-ups, whose scores make the tail.
   explicit FalseScores(double tail_share = 0.1) : tail_share_(tail_share) {}
 
   /// @param score  the least threshold that would have refused the look-up; nothing when every one

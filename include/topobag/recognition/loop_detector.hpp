@@ -12,9 +12,10 @@
 namespace topobag {
 inline namespace v0 {
 
+/// What counts as an earlier visit, and how it is recognised.
 struct LoopOptions {
   double min_gap = 20.0;  ///< s; nearer key frames are the present visit, not an earlier one
-  RecognitionOptions recognition{};
+  RecognitionOptions recognition{};  ///< retrieval, matching and decision
 };
 
 /// Recognises earlier places while a map grows.
@@ -28,10 +29,13 @@ class LoopDetector {
   using Bag = Bag_;
   using Graph = typename Bag::Graph;
 
+  /// `bag`: filled already, or with a similarity of yours.
   explicit LoopDetector(LoopOptions options = {}, Bag bag = Bag{})
       : min_gap_(options.min_gap), relocalizer_(std::move(options.recognition), std::move(bag)) {}
 
+  /// The key frames so far.
   const Bag& bag() const noexcept { return relocalizer_.map(); }
+  /// The same, to be changed.
   Bag& bag() noexcept { return relocalizer_.map(); }
 
   /// Looks the key frame up among those at least `min_gap` older. Nothing is added.

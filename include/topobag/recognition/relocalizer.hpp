@@ -14,11 +14,12 @@
 namespace topobag {
 inline namespace v0 {
 
+/// The three steps from a query to an answer.
 struct RecognitionOptions {
   std::size_t max_candidates = 256;  ///< best of the retrieval that are matched; all in a small bag
   QueryOptions retrieval{};          ///< its `max_results` is overruled by `max_candidates`
-  MatchOptions matching{};
-  DecisionOptions decision{};
+  MatchOptions matching{};           ///< how poses are found
+  DecisionOptions decision{};        ///< when a pose is believed
 };
 
 namespace detail {
@@ -48,10 +49,13 @@ class Relocalizer {
   using Bag = Bag_;
   using Graph = typename Bag::Graph;
 
+  /// `map`: filled already, or with a similarity of yours.
   explicit Relocalizer(RecognitionOptions options = {}, Bag map = Bag{})
       : options_(std::move(options)), map_(std::move(map)) {}
 
+  /// The map, to be filled.
   Bag& map() noexcept { return map_; }
+  /// The same, to be read.
   const Bag& map() const noexcept { return map_; }
 
   /// Where in the map the query was taken, and why, or why not. The query is not added.
@@ -68,6 +72,7 @@ class Relocalizer {
                              options.decision);
   }
 
+  /// Those of every query that brings none.
   const RecognitionOptions& options() const noexcept { return options_; }
 
   /// The query camera's pose in the map's world, when it was recognised and the matched entry's

@@ -13,6 +13,7 @@
 namespace topobag {
 inline namespace v0 {
 
+/// How many matches have to agree, how closely.
 struct TemporalOptions {
   std::size_t min_matches = 3;      ///< that have to agree one after the other, the present one too
   std::size_t max_missed = 1;       ///< key frames without a match in between

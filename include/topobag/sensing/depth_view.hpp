@@ -51,7 +51,9 @@ class DepthView {
     }
   }
 
+  /// px
   int width() const noexcept { return width_; }
+  /// px
   int height() const noexcept { return height_; }
 
   /// Depth at the pixel nearest to (u, v), m. O(1).
@@ -86,6 +88,7 @@ DepthView<typename Derived::Scalar> depth_view(const Eigen::PlainObjectBase<Deri
           depth_scale};
 }
 
+/// The same over a map. Throws InvalidValue when a row has gaps.
 template <typename Plain, int Options, typename Stride>
 DepthView<typename Plain::Scalar> depth_view(const Eigen::Map<Plain, Options, Stride>& image,
                                              double depth_scale) {

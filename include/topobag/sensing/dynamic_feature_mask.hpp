@@ -15,6 +15,7 @@
 namespace topobag {
 inline namespace v0 {
 
+/// Which boxes mask features, and how much of what is in them.
 struct DynamicFeatureOptions {
   DynamicsSet levels{Dynamics::high};  ///< whose features are not to be trusted
   double min_confidence = 0.3;         ///< detector's score below which a box masks nothing

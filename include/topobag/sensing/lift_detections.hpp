@@ -42,17 +42,19 @@ struct LiftOptions {
 struct DroppedDetections {
   std::size_t invalid = 0;  ///< box or score not finite, empty, outside the image or of a size
                             ///< that overflows
-  std::size_t low_confidence = 0;
-  std::size_t dynamic = 0;
-  std::size_t too_large = 0;
-  std::size_t no_depth = 0;
-  std::size_t out_of_range = 0;
-  std::size_t duplicate = 0;  ///< a surer detection gives the same object
+  std::size_t low_confidence = 0;  ///< score below `min_confidence`
+  std::size_t dynamic = 0;         ///< class of a level that is not kept
+  std::size_t too_large = 0;       ///< box beyond `max_image_share`
+  std::size_t no_depth = 0;        ///< nothing measured
+  std::size_t out_of_range = 0;    ///< depth outside `min_depth` to `max_depth`
+  std::size_t duplicate = 0;       ///< a surer detection gives the same object
 
+  /// All of them.
   std::size_t total() const noexcept {
     return invalid + low_confidence + dynamic + too_large + no_depth + out_of_range + duplicate;
   }
 
+  /// Adds the counts of another frame.
   DroppedDetections& operator+=(const DroppedDetections& other) noexcept {
     invalid += other.invalid;
     low_confidence += other.low_confidence;
@@ -68,9 +70,9 @@ struct DroppedDetections {
 /// The nodes of one frame, in detection order.
 template <typename Scalar>
 struct LiftedNodes {
-  std::vector<SemanticNode<Scalar>> nodes;
-  std::vector<std::size_t> sources;  ///< index of the detection behind each node
-  DroppedDetections dropped;
+  std::vector<SemanticNode<Scalar>> nodes;  ///< in detection order
+  std::vector<std::size_t> sources;         ///< index of the detection behind each node
+  DroppedDetections dropped;                ///< what did not become a node
 };
 
 namespace detail {

@@ -58,6 +58,7 @@ struct PinholeCamera {
            pixel.y() <= static_cast<Scalar>(height - 1) - margin;
   }
 
+  /// The same camera in another number type.
   template <typename Other>
   PinholeCamera<Other> cast() const {
     return {static_cast<Other>(fx),

@@ -11,8 +11,8 @@ inline namespace v0 {
 /// Whether two nodes, of whatever class, are one object by their place and size alone: detectors
 /// give one thing two boxes (a tv and a laptop, a couch and a chair).
 struct SameObject {
-  double max_distance = 0.2;  ///< share of the smaller object's size
-  double max_size_ratio = 1.7;
+  double max_distance = 0.2;    ///< share of the smaller object's size
+  double max_size_ratio = 1.7;  ///< larger over smaller
 
   /// False when a position or a size is unknown.
   template <typename Scalar>

@@ -17,8 +17,8 @@ inline namespace v0 {
 
 /// A SLAM system's point as an image shows it.
 struct DepthPoint {
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  double z = 0.0;  ///< along the optical axis, m
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< px
+  double z = 0.0;                                   ///< along the optical axis, m
 };
 
 /// A depth source over a SLAM system's sparse points, for monocular and stereo hosts: the depth of
@@ -35,6 +35,7 @@ class SparseDepth {
     }
   }
 
+  /// Those that were kept, in the order given.
   const std::vector<DepthPoint>& points() const noexcept { return points_; }
 
   /// Ties go to the earlier point. O(points).

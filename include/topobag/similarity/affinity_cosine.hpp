@@ -26,7 +26,7 @@ inline namespace v0 {
 struct AffinityCosine {
   double sigma = 0.6;      ///< m, > 0; distance over which an edge loses 1 − 1/e of its weight
   ClassVectors vectors{};  ///< C
-  ClassWeights weights{};
+  ClassWeights weights{};  ///< of the classes
 
   template <typename Scalar>
   NodeHistograms descriptor(const TopologyGraph<Scalar>& graph) const {

@@ -23,8 +23,8 @@ enum class HistogramMeasure {
 ///
 /// Descriptor O(n log n); similarity O(classes of both).
 struct ClassHistogram {
-  HistogramMeasure measure = HistogramMeasure::jaccard;
-  ClassWeights weights{};
+  HistogramMeasure measure = HistogramMeasure::jaccard;  ///< how two are compared
+  ClassWeights weights{};                                ///< of the classes
 
   template <typename Scalar>
   SparseHistogram descriptor(const TopologyGraph<Scalar>& graph) const {

@@ -53,6 +53,7 @@ class ClassWeights {
     weights_[label] = weight;
   }
 
+  /// The weight of a class. O(log classes).
   double operator()(ClassId label) const {
     const auto it = weights_.find(label);
     return it == weights_.end() ? others_ : it->second;

@@ -26,7 +26,7 @@ inline namespace v0 {
 /// O(n k) cosines and the assignment, O(n³) at worst.
 struct LabelWalks {
   std::size_t length = 3;  ///< nodes of a walk, its start included; ≥ 1
-  ClassWeights weights{};
+  ClassWeights weights{};  ///< of the classes
 
   template <typename Scalar>
   NodeHistograms descriptor(const TopologyGraph<Scalar>& graph) const {

@@ -35,12 +35,12 @@ enum class RowOrder {
 /// u or v are. With `detection` S depends on the order of the nodes. Symmetric; S(P, P) = 1 unless
 /// W_P has a zero row. O(n²); with `assignment` also O(n³), and negative cosines count as 0.
 struct PaddedCosine {
-  RowOrder row_order = RowOrder::detection;
+  RowOrder row_order = RowOrder::detection;  ///< which rows meet
   double depth_scale = 1.0;  ///< z of eq. 1 in metres; or F: the depth image's raw value
 
   /// The rows of W scaled to length 1, in the order in which they are compared.
   struct Descriptor {
-    std::vector<ClassId> labels;
+    std::vector<ClassId> labels;              ///< class of each row
     std::vector<std::array<double, 4>> rows;  ///< parallel to `labels`
   };
 

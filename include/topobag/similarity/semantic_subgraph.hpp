@@ -37,8 +37,8 @@ struct SemanticSubgraph {
 
   /// Parts in ascending order, labels parallel.
   struct Descriptor {
-    std::vector<ClassId> labels;
-    std::vector<Part> parts;
+    std::vector<ClassId> labels;  ///< class of each part
+    std::vector<Part> parts;      ///< one a node
   };
 
   template <typename Scalar>

@@ -17,9 +17,10 @@ inline namespace v0 {
 /// A histogram over 64-bit words of which few occur: entries in ascending order of their words.
 class SparseHistogram {
  public:
+  /// One word that occurs.
   struct Entry {
-    std::uint64_t word = 0;
-    double weight = 0.0;
+    std::uint64_t word = 0;  ///< what is counted
+    double weight = 0.0;     ///< how much of it
 
     friend bool operator<(const Entry& l, const Entry& r) noexcept {
       return std::tie(l.word, l.weight) < std::tie(r.word, r.weight);

@@ -30,8 +30,8 @@ enum class Surroundings {
 /// classes, neither pixels nor lengths. Descriptor O(n · degree²); similarity O(n k) cosines and
 /// the assignment, O(n³) at worst.
 struct SurroundingLabels {
-  Surroundings counted = Surroundings::neighbors;
-  ClassWeights weights{};  ///< of the counted labels
+  Surroundings counted = Surroundings::neighbors;  ///< which labels
+  ClassWeights weights{};                          ///< of the counted labels
 
   template <typename Scalar>
   NodeHistograms descriptor(const TopologyGraph<Scalar>& graph) const {

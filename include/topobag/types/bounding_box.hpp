@@ -19,8 +19,11 @@ struct BoundingBox {
   double x2 = 0.0;  ///< right edge, px, > x1
   double y2 = 0.0;  ///< lower edge, px, > y1
 
+  /// px
   double width() const noexcept { return x2 - x1; }
+  /// px
   double height() const noexcept { return y2 - y1; }
+  /// px²
   double area() const noexcept { return width() * height(); }
 
   /// Finite with x2 > x1 and y2 > y1.
@@ -32,6 +35,7 @@ struct BoundingBox {
   /// Box centre (u, v), px: eq. 2.
   Eigen::Vector2d center() const noexcept { return {(x1 + x2) / 2.0, (y1 + y2) / 2.0}; }
 
+  /// Whether the pixel lies in the box, its border included.
   bool contains(const Eigen::Vector2d& pixel) const noexcept {
     return pixel.x() >= x1 && pixel.x() <= x2 && pixel.y() >= y1 && pixel.y() <= y2;
   }

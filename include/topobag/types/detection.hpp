@@ -30,6 +30,7 @@ struct Detection {
 template <typename T>
 struct detection_traits {};
 
+/// The library's own detection.
 template <>
 struct detection_traits<Detection> {
   static const BoundingBox& box(const Detection& d) { return d.box; }

@@ -14,6 +14,7 @@ enum class Dynamics { low, medium, high };
 /// A set of dynamics levels.
 class DynamicsSet {
  public:
+  /// Exactly these levels.
   constexpr DynamicsSet(std::initializer_list<Dynamics> levels) noexcept {
     for (const Dynamics level : levels) bits_ |= bit(level);
   }

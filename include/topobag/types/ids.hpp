@@ -20,6 +20,7 @@ enum class NodeIndex : std::uint32_t {};
 
 /// The label number behind a class id (the paper's c in eq. 1).
 constexpr std::int32_t value(ClassId id) noexcept { return static_cast<std::int32_t>(id); }
+/// The front end's number.
 constexpr std::uint64_t value(KeyframeId id) noexcept { return static_cast<std::uint64_t>(id); }
 
 /// A node index as a subscript.

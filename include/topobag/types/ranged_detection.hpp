@@ -18,6 +18,7 @@ struct RangedDetection {
   double z = 0.0;           ///< depth, m; 0 = unknown
 };
 
+/// The library's own detection with a depth.
 template <>
 struct detection_traits<RangedDetection> {
   static const BoundingBox& box(const RangedDetection& d) { return d.box; }

@@ -16,6 +16,7 @@ inline namespace v0 {
 /// An image scaled as one into a network's square input, the rest grey, and the way back.
 class Letterbox {
  public:
+  /// Where on the square the image lies.
   enum class Place { upper_left, center };
 
   /// Throws InvalidValue for an empty image or a side below 1.
@@ -32,6 +33,7 @@ class Letterbox {
     cv::resize(image, target, size_);
   }
 
+  /// The square image for the network.
   const cv::Mat& input() const noexcept { return input_; }
 
   /// A box of the input (px from its upper-left corner) in the image, clipped to it and measured

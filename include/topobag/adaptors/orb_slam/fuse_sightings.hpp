@@ -14,8 +14,9 @@ inline namespace v0 {
 
 /// A sighting and where the host places its camera.
 struct PosedSighting {
-  std::shared_ptr<const KeyframeSighting> sighting;
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::shared_ptr<const KeyframeSighting> sighting;  ///< what its key frame shows
+  Eigen::Isometry3d T_world_camera =
+      Eigen::Isometry3d::Identity();  ///< the host's pose of its key frame
 };
 
 /// The graph of the last sighting's key frame, fused from all of them in the order of time. The

@@ -16,6 +16,7 @@ inline namespace v0 {
 /// with other vector instructions, where Eigen types must not. `cv::Mat(4, 4, CV_32F, p.data())`.
 using PlainPose = std::array<float, 16>;
 
+/// The pose row by row.
 inline PlainPose plain_pose(const Eigen::Isometry3d& T) {
   PlainPose plain{};
   Eigen::Map<Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(plain.data()) = T.matrix().cast<float>();

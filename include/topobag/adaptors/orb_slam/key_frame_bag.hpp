@@ -36,6 +36,7 @@ class KeyFrameBag {
   using Graph = TopologyGraph<>;
   using Places = std::vector<OrbSlamPlace<KeyFrame>>;
 
+  /// Empty, in the first epoch.
   KeyFrameBag(const LocalGraphOptions& fusing, const RecognitionOptions& recognition)
       : fusing_(fusing), relocalizer_(recognition) {}
 
@@ -62,6 +63,7 @@ class KeyFrameBag {
     return true;
   }
 
+  /// The host has a new key frame; nothing when it is bad or was culled.
   void add(KeyFrame& key_frame) {
     if (is_bad(key_frame)) return;
     const std::uint64_t id = key_frame.mnId;
@@ -72,6 +74,7 @@ class KeyFrameBag {
     make_entry(id);
   }
 
+  /// The host culls a key frame, whether it was added or not.
   void erase(const KeyFrame& key_frame) {
     const std::uint64_t id = key_frame.mnId;
     Lock lock(mutex_);
@@ -95,6 +98,7 @@ class KeyFrameBag {
     pins_.wait_for_older(lock);
   }
 
+  /// Forgets all key frames; the epoch goes up.
   void clear() {
     Lock lock(mutex_);
     known_.clear();

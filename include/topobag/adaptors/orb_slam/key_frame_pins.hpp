@@ -17,12 +17,14 @@ inline namespace v0 {
 /// Every function needs the lock of the mutex that guards the pointers.
 class KeyFramePins {
  public:
+  /// Of the mutex that guards the pointers.
   using Lock = std::unique_lock<std::mutex>;
 
   /// Keeps the pointers that were read under `lock` usable until it goes out of scope. Comes with
   /// the lock held and releases it.
   class Scope {
    public:
+    /// Pins what was read under `lock`, and releases it.
     Scope(KeyFramePins& pins, Lock& lock) : pins_(pins), mutex_(*lock.mutex()) {
       ticket_ = pins_.next_++;
       pins_.held_.insert(ticket_);

@@ -17,8 +17,8 @@ inline namespace v0 {
 /// A sighting and the host's key frame it belongs to.
 template <typename KeyFrame>
 struct SightedKeyFrame {
-  std::shared_ptr<const KeyframeSighting> sighting;
-  KeyFrame* key_frame = nullptr;
+  std::shared_ptr<const KeyframeSighting> sighting;  ///< what was seen in it
+  KeyFrame* key_frame = nullptr;                     ///< the host's; not owned
 };
 
 /// Which key frames the host has, by `mnId`, and what was seen in them. Pointer and sighting come
@@ -45,12 +45,14 @@ class KeyFrameRegister {
     return true;
   }
 
+  /// Forgets a key frame for this epoch, whether it was there or not.
   void erase(std::uint64_t id) {
     culled_.insert(id);
     key_frames_.erase(id);
     sightings_.erase(id);
   }
 
+  /// Forgets everything; the epoch goes up.
   void clear() {
     ++epoch_;
     culled_.clear();
@@ -58,6 +60,7 @@ class KeyFrameRegister {
     sightings_.clear();
   }
 
+  /// All of them, by `mnId`.
   const std::map<std::uint64_t, KeyFrame*>& key_frames() const noexcept { return key_frames_; }
 
   /// Null when it is not there.
@@ -66,6 +69,7 @@ class KeyFrameRegister {
     return found == key_frames_.end() ? nullptr : found->second;
   }
 
+  /// Whether it was told what was seen in the key frame.
   bool is_sighted(std::uint64_t id) const { return sightings_.count(id) != 0; }
 
   /// The sighted key frames of the last `window` s before this one, oldest first, and itself at the

@@ -14,8 +14,8 @@ inline namespace v0 {
 /// A key frame of the host that the query resembles, and where the query's camera then is.
 template <typename KeyFrame>
 struct OrbSlamPlace {
-  KeyFrame* key_frame = nullptr;
-  Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
+  KeyFrame* key_frame = nullptr;                                        ///< the host's; not owned
+  Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();  ///< the match
   /// The candidate's pose at the time of the query, carried on.
   Eigen::Isometry3d T_world_query = Eigen::Isometry3d::Identity();
   double score = 0.0;      ///< `RelativePose::score()`

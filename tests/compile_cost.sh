@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# What it costs to include each public header, as a Markdown table: preprocessed lines (without blank
+# ones) and the user seconds of one g++, the least of three runs (of one where it takes longer than
+# 5 s), beside Eigen/Dense alone.
+#   bash tests/compile_cost.sh [HEADER...]      e.g. topobag/core.hpp; all of them by default
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+flags=(-std=c++17 -O0 -Iinclude)
+for package in eigen3 opencv4; do
+  read -ra more < <(pkg-config --cflags "$package" 2>/dev/null || true) || true
+  flags+=("${more[@]/#-I/-isystem}")
+done
+source=$(mktemp --suffix=.cpp)
+trap 'rm -f "$source"' EXIT
+TIMEFORMAT=%U
+
+is_less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
+
+# measure HEADER: sets lines and seconds; false when it does not compile here.
+measure() {
+  echo "#include <$1>" >"$source"
+  lines=$(g++ "${flags[@]}" -E -P "$source" 2>/dev/null | wc -l) || return 1
+  seconds=
+  for run in 1 2 3; do
+    time=$({ time g++ "${flags[@]}" -fsyntax-only "$source" 2>/dev/null; } 2>&1) || return 1
+    if [ -z "$seconds" ] || is_less "$time" "$seconds"; then seconds=$time; fi
+    if is_less 5 "$seconds"; then break; fi
+  done
+}
+
+# row HEADER: its line of the table.
+row() {
+  if measure "$1"; then
+    awk -v header="$1" -v lines="$lines" -v seconds="$seconds" -v l="$base_lines" -v s="$base_seconds" \
+      'BEGIN { printf "| %s | %d | %.2f | %.2f | %.2f |\n", header, lines, lines / l, seconds, seconds / s }'
+  else
+    echo "| $1 | – | – | – | – |"
+  fi
+}
+
+headers=("$@")
+if [ $# -eq 0 ]; then
+  mapfile -t headers < <(cd include && find topobag -name '*.hpp' -not -path '*/detail/*' | LC_ALL=C sort)
+fi
+measure Eigen/Dense
+base_lines=$lines
+base_seconds=$seconds
+echo "| header | lines | × Eigen/Dense | seconds | × Eigen/Dense |"
+echo "|---|---|---|---|---|"
+printf "| Eigen/Dense | %d | 1.00 | %.2f | 1.00 |\n" "$base_lines" "$base_seconds"
+for header in "${headers[@]}"; do row "$header"; done
