@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -93,7 +92,7 @@ class LeafOrder {
     const float least = (scale * total_ - surplus_) * static_cast<float>(coarse_steps) - 2.0F;
     const auto offset = static_cast<std::uint16_t>(std::clamp(least, 0.0F, 32767.0F));
     const auto slope = static_cast<std::uint16_t>(scale * 65536.0F);
-    std::array<unsigned char, Stretch::length> reach{};  // 1 = it may
+    std::array<bool, Stretch::length> reach{};
     std::vector<BoundedLeaf> leaves;
     for (const Stretch& stretch : stretches_) {
       if (stretch.greatest < offset) continue;
@@ -105,10 +104,8 @@ class LeafOrder {
         const std::uint32_t share = (std::uint32_t{slope} * totals[i]) >> 16U;
         reach[i] = sums[i] >= static_cast<std::uint16_t>(offset + share);
       }
-      const unsigned char *at = reach.data(), *end = at + size;
-      for (; (at = find_one(at, end)) != end; ++at) {
-        take(stretch.begin + static_cast<std::size_t>(at - reach.data()), stretch.part, floor,
-             leaves);
+      for (std::size_t i = 0; i < size; ++i) {
+        if (reach[i]) take(stretch.begin + i, stretch.part, floor, leaves);
       }
     }
     return sorted(std::move(leaves));
@@ -145,11 +142,6 @@ class LeafOrder {
     given_[i] = true;
     leaves.push_back(
         {bound, common, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(leaf)});
-  }
-
-  static const unsigned char* find_one(const unsigned char* begin, const unsigned char* end) {
-    const void* found = std::memchr(begin, 1, static_cast<std::size_t>(end - begin));
-    return found != nullptr ? static_cast<const unsigned char*>(found) : end;
   }
 
   static std::vector<BoundedLeaf> sorted(std::vector<BoundedLeaf> leaves) {
