@@ -138,7 +138,7 @@ bool run(std::size_t graphs, const Options& options, const std::vector<Graph>& p
       "\"speedup\":%.1f,\"bytes_per_graph\":%.1f,\"add_us\":%.2f}\n",
       graphs, median_us, quantile(query_us, 0.99), brute, brute / median_us, bytes, add_us);
   if (graphs <= options.max_neighbor_graph) {
-    bench::compare_neighbor_graph(stored, similarity, queries, answers);
+    bench::compare_neighbor_graphs(stored, similarity, queries, answers);
   }
   std::fflush(stdout);
   return same;

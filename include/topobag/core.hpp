@@ -68,6 +68,7 @@
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/matching/match_nodes.hpp>
 #include <topobag/matching/missing_objects.hpp>
+#include <topobag/matching/point_pair.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <topobag/adaptors/sqlite.hpp>
+#include <topobag/bag/indexed_bag.hpp>
 
 #include "bag/saved_bags.hpp"
 #include "catch.hpp"
@@ -96,6 +97,36 @@ TEST_CASE("a map on disk behaves like a bag in memory", "[sqlite]") {
     const auto query = random_graph(random, 6, 80, false);
     CHECK(map->bag().query(query) == model.query(query));
   }
+}
+
+TEST_CASE("a map keeps an indexed bag as well", "[sqlite]") {
+  const ScratchFolder folder;
+  std::mt19937 random(6);
+  const std::string path = folder.path("map.db");
+  const Bag source = random_bag(random, 40);
+  const ClassPairDistanceHistogram similarity;
+  const auto query = random_graph(random, 8, 80, false);
+  std::vector<Candidate> found;
+  {
+    SqliteBag<IndexedBag> map(path);
+    BagOfTopologyGraphs<TopologyGraph<>, ClassPairDistanceHistogram> model(similarity);
+    source.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
+      map.add(id, graph, info);
+      model.add(id, decode(encode(graph)), info);
+      if (value(id) % 3 == 0) {
+        map.update(id, query, info);
+        model.update(id, decode(encode(query)), info);
+      }
+      if (value(id) % 5 == 1) CHECK(map.erase(id) == model.erase(id));
+    });
+    found = map.bag().query(query);
+    CHECK(found == model.query(query));
+    CHECK(found.front().score > 0.9);
+  }
+  const SqliteBag<IndexedBag> again(path, read_only());
+  CHECK(again.bag().query(query) == found);
+  const SqliteBag<> plain(path, read_only());
+  CHECK(saved(plain.bag()) == saved(*again.bag().view()));
 }
 
 TEST_CASE("poses, stamps and labels come back", "[sqlite]") {

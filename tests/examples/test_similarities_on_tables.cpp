@@ -29,14 +29,14 @@ struct Place {
 
 /// Every twelfth frame of TUM fr3_long_office, with nodes.
 std::vector<Place> long_office(const std::string& data) {
-  const ClassCatalog catalog = ClassCatalog::coco80();
+  const ClassCatalog classes = ClassCatalog::coco80();
   const auto table =
-      program::read_node_table(data + "/nodes/fr3_long_office.eao_yolo_tri", catalog);
-  const PinholeCamera<double> camera{535.4, 539.2, 320.1, 247.6, 640, 480};
+      program::read_node_table(data + "/nodes/fr3_long_office.eao_yolo_tri", classes);
+  const PinholeCamera<double> kinect{535.4, 539.2, 320.1, 247.6, 640, 480};
   std::vector<Place> places;
   for (std::size_t i = 0; i < table.frames.size(); i += 12) {
     const program::FrameRow& frame = table.frames[i];
-    auto nodes = lift_detections(frame.detections, camera, catalog).nodes;
+    auto nodes = lift_detections(frame.detections, kinect, classes).nodes;
     if (nodes.empty()) continue;
     places.push_back({make_topology_graph(std::move(nodes), KnnEdges{}), *frame.T_world_camera,
                       frame.timestamp});

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <random>
 
+#include <topobag/bag/indexed_bag.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 
 #include "catch.hpp"
@@ -44,6 +45,36 @@ TEST_CASE("an entry without a stamp is no earlier visit", "[recognition]") {
   LoopDetector<> loops;
   loops.bag().add(KeyframeId{1}, graph);
   CHECK(loops.detect(1000.0, graph).candidates.empty());
+}
+
+TEST_CASE("an indexed bag finds the same loops as a plain one over the same graphs",
+          "[recognition]") {
+  std::mt19937 random(7);
+  const SyntheticRoom rooms[] = {SyntheticRoom(1, 10, 8), SyntheticRoom(2, 10, 8)};
+  const ClassPairDistanceHistogram similarity;
+  using PlainBag = BagOfTopologyGraphs<TopologyGraph<>, ClassPairDistanceHistogram>;
+  LoopOptions options;
+  options.min_gap = 5.0;
+  LoopDetector<IndexedBag> indexed(options);
+  LoopDetector<PlainBag> plain(options, PlainBag(similarity));
+  std::size_t accepted = 0;
+  for (unsigned i = 0; i < 40; ++i) {
+    const auto seen = rooms[i / 10 % 2].seen_from(random_camera(random));
+    const TopologyGraph<> graph = decode(encode(seen));
+    const Recognition a = indexed.detect_and_add(KeyframeId{i}, i, graph);
+    const Recognition b = plain.detect_and_add(KeyframeId{i}, i, graph);
+    CAPTURE(i);
+    REQUIRE(a.candidates.size() == b.candidates.size());
+    for (std::size_t k = 0; k < a.candidates.size(); ++k) {
+      CHECK(a.candidates[k].id == b.candidates[k].id);
+    }
+    REQUIRE(a.accepted.has_value() == b.accepted.has_value());
+    if (!a.accepted) continue;
+    ++accepted;
+    CHECK(a.accepted->id == b.accepted->id);
+    CHECK(a.accepted->id < KeyframeId{i - 4});
+  }
+  CHECK(accepted > 20);
 }
 
 TEST_CASE("the user's filter holds beside the gap", "[recognition]") {

@@ -14,11 +14,11 @@ namespace {
 
 using Pose = Eigen::Isometry3d;
 
-Recognition match(unsigned id, const Pose& T_candidate_query = Pose::Identity()) {
+Recognition match(unsigned id, const Pose& T = Pose::Identity()) {
   Recognition recognition;
   recognition.accepted.emplace();
   recognition.accepted->id = KeyframeId{id};
-  recognition.accepted->pose.emplace().T_candidate_query = T_candidate_query;
+  recognition.accepted->pose.emplace().T_candidate_query = T;
   return recognition;
 }
 

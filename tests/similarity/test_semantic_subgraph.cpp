@@ -10,8 +10,8 @@ using namespace topobag;
 
 namespace {
 
-SemanticNode<> sized(int label, double width, double height, double x = 0.0) {
-  SemanticNode<> node = node_at(label, x);
+SemanticNode<> sized(int label, double width, double height, double place = 0.0) {
+  SemanticNode<> node = node_at(label, place);
   node.size = {width, height};
   return node;
 }

@@ -14,7 +14,7 @@
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/detail/bit_matrix.hpp>
-#include <topobag/sensing/node_noise.hpp>
+#include <topobag/matching/point_pair.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -39,20 +39,16 @@ class ConsistencyGraph {
                    const ConsistencyOptions& options)
       : pairs_(offered_pairs(candidate, query, options, complete_)),
         agreement_(pairs_.size(), pairs_.size()) {
-    std::vector<Ends> ends;
-    ends.reserve(pairs_.size());
+    points_.reserve(pairs_.size());
     for (const Correspondence& pair : pairs_) {
-      const auto& p = candidate.node(pair.candidate);
-      const auto& q = query.node(pair.query);
-      ends.push_back({p.position->template cast<double>(), q.position->template cast<double>(),
-                      position_covariance(p), position_covariance(q)});
+      points_.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query)));
       query_of_.push_back(value(pair.query));
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       for (std::size_t j = i + 1; j < pairs_.size(); ++j) {
         if (pairs_[i].query == pairs_[j].query || pairs_[i].candidate == pairs_[j].candidate)
           continue;
-        if (!agree(ends[i], ends[j], options)) continue;
+        if (!agree(points_[i], points_[j], options)) continue;
         agreement_.set(i, j);
         agreement_.set(j, i);
       }
@@ -61,6 +57,8 @@ class ConsistencyGraph {
 
   /// Sorted by query node, then candidate node.
   const std::vector<Correspondence>& pairs() const noexcept { return pairs_; }
+  /// Their positions, in the order of `pairs`; the candidate is the target.
+  const std::vector<PointPair>& points() const noexcept { return points_; }
   /// Which pairs agree: symmetric, false on the diagonal.
   const detail::BitMatrix& agreement() const noexcept { return agreement_; }
 
@@ -71,11 +69,6 @@ class ConsistencyGraph {
   bool complete() const noexcept { return complete_; }
 
  private:
-  struct Ends {
-    Eigen::Vector3d p, q;
-    Eigen::Matrix3d covariance_p, covariance_q;
-  };
-
   template <typename Scalar>
   static std::vector<Correspondence> offered_pairs(const TopologyGraph<Scalar>& candidate,
                                                    const TopologyGraph<Scalar>& query,
@@ -121,16 +114,16 @@ class ConsistencyGraph {
     return std::max(size_a, size_b) <= max_ratio * std::min(size_a, size_b);
   }
 
-  static bool agree(const Ends& i, const Ends& j, const ConsistencyOptions& options) {
-    const Eigen::Vector3d p = i.p - j.p;
-    const Eigen::Vector3d q = i.q - j.q;
+  static bool agree(const PointPair& i, const PointPair& j, const ConsistencyOptions& options) {
+    const Eigen::Vector3d p = i.target - j.target;
+    const Eigen::Vector3d q = i.source - j.source;
     const double length_p = p.norm();
     const double length_q = q.norm();
     const double difference = std::abs(length_p - length_q);
     if (difference <= options.min_tolerance) return true;
     if (difference > options.max_tolerance) return false;
-    const double variance = variance_along(p, length_p, i.covariance_p + j.covariance_p) +
-                            variance_along(q, length_q, i.covariance_q + j.covariance_q);
+    const double variance = variance_along(p, length_p, i.target_covariance + j.target_covariance) +
+                            variance_along(q, length_q, i.source_covariance + j.source_covariance);
     return difference * difference <= options.deviations * options.deviations * variance;
   }
 
@@ -142,6 +135,7 @@ class ConsistencyGraph {
 
   bool complete_ = true;
   std::vector<Correspondence> pairs_;
+  std::vector<PointPair> points_;
   std::vector<std::size_t> query_of_;
   detail::BitMatrix agreement_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -16,13 +17,14 @@
 #include <topobag/matching/chance_model.hpp>
 #include <topobag/matching/consistency_graph.hpp>
 #include <topobag/matching/detail/clique_search.hpp>
+#include <topobag/matching/detail/one_to_one.hpp>
 #include <topobag/matching/match_nodes.hpp>
 #include <topobag/matching/missing_objects.hpp>
+#include <topobag/matching/point_pair.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
-#include <topobag/sensing/node_noise.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -90,8 +92,7 @@ class PoseSearch {
     std::vector<RelativePose> poses;
     for (const auto& [rms, pairs] : hypotheses) {
       if (pairs.size() + options_.slack < largest) break;
-      RelativePose pose = pose_of(pairs);
-      if (pose.inliers.size() >= 3) poses.push_back(std::move(pose));
+      if (auto pose = pose_of(pairs, poses)) poses.push_back(std::move(*pose));
     }
     // Positions are sorted, not poses: stable_sort's buffer is not aligned for AVX's matrices.
     std::vector<std::size_t> best_first(poses.size());
@@ -109,36 +110,37 @@ class PoseSearch {
   }
 
  private:
-  PointPair point_pair(const Correspondence& pair) const {
-    const auto& p = candidate_.node(pair.candidate);
-    const auto& q = query_.node(pair.query);
-    return {p.position->template cast<double>(), q.position->template cast<double>(),
-            position_covariance(p), position_covariance(q)};
-  }
-
   std::vector<PointPair> point_pairs(const std::vector<Correspondence>& pairs) const {
     std::vector<PointPair> points;
     points.reserve(pairs.size());
-    for (const Correspondence& pair : pairs) points.push_back(point_pair(pair));
+    for (const Correspondence& pair : pairs) {
+      const auto at = std::lower_bound(graph_.pairs().begin(), graph_.pairs().end(), pair);
+      points.push_back(graph_.points()[static_cast<std::size_t>(at - graph_.pairs().begin())]);
+    }
     return points;
   }
 
   /// Fits the clique, then lets every pair that the pose brings together join, and refines over all
-  /// of them.
-  RelativePose pose_of(const std::vector<Correspondence>& clique) const {
+  /// of them. Nothing when fewer than three remain, or those of a pose that is known: most cliques
+  /// are parts of the same few sets.
+  std::optional<RelativePose> pose_of(const std::vector<Correspondence>& clique,
+                                      const std::vector<RelativePose>& known) const {
     RelativePose pose;
     pose.inliers = clique;
-    RefinedPose refined{fit(clique).T_target_source, {}};
+    std::vector<PointPair> points = point_pairs(clique);
+    RefinedPose refined{fit(points).T_target_source, {}};
     for (int round = 0; round < max_rounds; ++round) {
-      refined = refine_pose(refined.T_target_source, point_pairs(pose.inliers), options_.refine);
+      refined = refine_pose(refined.T_target_source, points, options_.refine);
       std::vector<Correspondence> supporters = supporters_of(refined.T_target_source);
-      const bool settled = supporters == pose.inliers;
+      const bool is_known = std::any_of(known.begin(), known.end(), [&](const RelativePose& other) {
+        return other.inliers == supporters;
+      });
+      if (supporters.size() < 3 || is_known) return std::nullopt;
+      if (supporters == pose.inliers) break;
       pose.inliers = std::move(supporters);
-      if (settled || pose.inliers.size() < 3) break;
+      points = point_pairs(pose.inliers);
     }
-    if (pose.inliers.size() < 3) return pose;
 
-    const std::vector<PointPair> points = point_pairs(pose.inliers);
     pose.T_candidate_query = refined.T_target_source;
     pose.covariance = refined.covariance;
     double squares = 0.0;
@@ -146,7 +148,7 @@ class PoseSearch {
       squares += pair.residual(pose.T_candidate_query).squaredNorm();
     }
     pose.rms = std::sqrt(squares / static_cast<double>(points.size()));
-    pose.spread = fit(pose.inliers).spread;
+    pose.spread = fit(points).spread;
     pose.degenerate = pose.spread < options_.min_spread ||
                       pose.rotation_deviation() > options_.max_rotation_deviation;
     pose.significance = options_.chance.significance(candidate_, query_, pose.inliers, points,
@@ -157,40 +159,30 @@ class PoseSearch {
     return pose;
   }
 
-  RigidFit fit(const std::vector<Correspondence>& pairs) const {
-    const auto n = static_cast<Eigen::Index>(pairs.size());
+  static RigidFit fit(const std::vector<PointPair>& points) {
+    const auto n = static_cast<Eigen::Index>(points.size());
     Eigen::Matrix3Xd target(3, n), source(3, n);
     Eigen::VectorXd weights(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const PointPair points = point_pair(pairs[static_cast<std::size_t>(i)]);
-      target.col(i) = points.target;
-      source.col(i) = points.source;
-      const double variance = points.target_covariance.trace() + points.source_covariance.trace();
-      weights(i) = 1.0 / (variance + 1e-4);
+      const PointPair& pair = points[static_cast<std::size_t>(i)];
+      target.col(i) = pair.target;
+      source.col(i) = pair.source;
+      weights(i) = 1.0 / (pair.target_covariance.trace() + pair.source_covariance.trace() + 1e-4);
     }
     return *fit_rigid(target, source, weights);
   }
 
   /// One-to-one pairs that the pose brings together, the closest (in standard deviations) first.
   std::vector<Correspondence> supporters_of(const Eigen::Isometry3d& T_candidate_query) const {
-    std::vector<std::pair<double, Correspondence>> near;
+    std::vector<Neighbors> near;
     const double max_deviation2 = options_.inlier_deviations * options_.inlier_deviations;
-    for (const Correspondence& pair : graph_.pairs()) {
-      const PointPair points = point_pair(pair);
+    for (std::size_t i = 0; i < graph_.points().size(); ++i) {
+      const PointPair& points = graph_.points()[i];
       if (points.residual(T_candidate_query).norm() > options_.max_residual) continue;
       const double deviation2 = points.squared_deviation(T_candidate_query);
-      if (deviation2 <= max_deviation2) near.emplace_back(deviation2, pair);
+      if (deviation2 <= max_deviation2) near.emplace_back(deviation2, graph_.pairs()[i]);
     }
-    std::sort(near.begin(), near.end());
-    std::vector<bool> candidate_taken(candidate_.size(), false), query_taken(query_.size(), false);
-    std::vector<Correspondence> pairs;
-    for (const auto& [deviation2, pair] : near) {
-      if (candidate_taken[value(pair.candidate)] || query_taken[value(pair.query)]) continue;
-      candidate_taken[value(pair.candidate)] = query_taken[value(pair.query)] = true;
-      pairs.push_back(pair);
-    }
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
+    return with_closest({}, std::move(near), candidate_.size(), query_.size());
   }
 
   bool distinct(const RelativePose& a, const RelativePose& b) const {

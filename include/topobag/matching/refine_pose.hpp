@@ -7,37 +7,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
-#include <topobag/version.hpp>
+#include <topobag/matching/point_pair.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// Two measurements of one object's position and the covariance of each, m and m².
-struct PointPair {
-  Eigen::Vector3d target;             ///< m, target frame
-  Eigen::Vector3d source;             ///< m, source frame
-  Eigen::Matrix3d target_covariance;  ///< m², target frame
-  Eigen::Matrix3d source_covariance;  ///< m², source frame
-
-  /// Target less moved source, m.
-  Eigen::Vector3d residual(const Eigen::Isometry3d& T_target_source) const {
-    return target - T_target_source * source;
-  }
-
-  /// Of the residual.
-  Eigen::Matrix3d covariance(const Eigen::Isometry3d& T_target_source) const {
-    const Eigen::Matrix3d R = T_target_source.linear();
-    return target_covariance + R * source_covariance * R.transpose();
-  }
-
-  /// Squared Mahalanobis length of the residual: χ² with three degrees of freedom for a true pair.
-  double squared_deviation(const Eigen::Isometry3d& T_target_source) const {
-    const Eigen::Vector3d r = residual(T_target_source);
-    return r.dot(covariance(T_target_source).inverse() * r);
-  }
-};
 
 /// A pose and how certain it is.
 struct RefinedPose {
@@ -49,6 +23,7 @@ struct RefinedPose {
 /// How far the refinement goes.
 struct RefineOptions {
   int iterations = 5;         ///< Gauss-Newton steps at most
+  double tolerance = 1e-4;    ///< m and rad; a shorter step is the last
   double kernel_width = 3.0;  ///< standard deviations at which the Geman–McClure kernel bends
 };
 
@@ -93,7 +68,7 @@ inline RefinedPose refine_pose(Eigen::Isometry3d T_target_source,
     if (angle > 0.0) move.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
     move.translation() = step.head<3>();
     T_target_source = move * T_target_source;
-    if (step.norm() < 1e-9) break;
+    if (step.norm() < options.tolerance) break;
   }
   normal_equations(H, g);
   T_target_source.linear() =

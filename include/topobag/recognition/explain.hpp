@@ -8,10 +8,10 @@
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/point_pair.hpp>
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/relocalizer.hpp>
-#include <topobag/sensing/node_noise.hpp>
 #include <topobag/types/class_catalog.hpp>
 
 namespace topobag {
@@ -95,9 +95,7 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   for (const Correspondence& pair : pose.inliers) {
     const auto& there = candidate.node(pair.candidate);
     const auto& here = query.node(pair.query);
-    const PointPair points{there.position->template cast<double>(),
-                           here.position->template cast<double>(), position_covariance(there),
-                           position_covariance(here)};
+    const PointPair points = point_pair(there, here);
     explanation.matched.push_back({pair.candidate, pair.query, name(there), name(here),
                                    points.residual(pose.T_candidate_query).norm(),
                                    std::sqrt(points.squared_deviation(pose.T_candidate_query))});

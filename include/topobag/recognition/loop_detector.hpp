@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,10 +42,9 @@ class LoopDetector {
   /// Looks the key frame up among those at least `min_gap` older. Nothing is added.
   Recognition detect(double stamp, const Graph& graph) const {
     RecognitionOptions options = relocalizer_.options();
-    auto wanted = options.retrieval.filter;
-    options.retrieval.filter = [this, stamp, wanted](KeyframeId id, const EntryInfo& info) {
-      return info.stamp && *info.stamp <= stamp - min_gap_ && (!wanted || wanted(id, info));
-    };
+    std::optional<double>& max_stamp = options.retrieval.among.max_stamp;
+    const double latest = stamp - min_gap_;
+    max_stamp = max_stamp ? std::min(*max_stamp, latest) : latest;
     return relocalizer_.localize(graph, options);
   }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -22,7 +24,7 @@ class BagSearch {
   BagSearch(const BagParts& parts, const ClassPairDistanceHistogram& similarity,
             const TopologyGraph<double>& graph, const QueryOptions& options,
             std::size_t max_visited)
-      : parts_(parts),
+      : parts_(options.restricts() ? possible(parts, options.among) : parts),
         similarity_(similarity),
         options_(options),
         restricted_(options.restricts()),
@@ -53,6 +55,14 @@ class BagSearch {
 
  private:
   static constexpr std::size_t good_leaves = 64;
+
+  static BagParts possible(BagParts parts, const EntryFilter& among) {
+    auto sealed = std::make_shared<BagParts::Sealed>();
+    std::copy_if(parts.sealed->begin(), parts.sealed->end(), std::back_inserter(*sealed),
+                 [&](const SealedPart& part) { return part.segment->range().may_pass(among); });
+    parts.sealed = std::move(sealed);
+    return parts;
+  }
 
   static std::vector<ClassId> labels_of(const TopologyGraph<double>& graph) {
     std::vector<ClassId> labels;
@@ -118,7 +128,7 @@ class BagSearch {
     }
   }
 
-  const BagParts& parts_;
+  BagParts parts_;  ///< as far as they may hold what is asked for
   const ClassPairDistanceHistogram& similarity_;
   const QueryOptions& options_;
   bool restricted_;

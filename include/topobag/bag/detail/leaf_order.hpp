@@ -90,8 +90,8 @@ class LeafOrder {
     // common: in whole numbers, with a little less asked for the rounding.
     const float scale = std::max(0.0F, floor - 1e-5F) / (1.0F + floor);
     const float least = (scale * total_ - surplus_) * static_cast<float>(coarse_steps) - 2.0F;
-    const auto offset = static_cast<std::uint16_t>(std::clamp(least, 0.0F, 32767.0F));
-    const auto slope = static_cast<std::uint16_t>(scale * 65536.0F);
+    const auto offset = static_cast<std::int32_t>(std::clamp(least, -1e9F, 1e9F));
+    const auto slope = static_cast<std::uint32_t>(scale * 65536.0F);
     std::array<bool, Stretch::length> reach{};
     std::vector<BoundedLeaf> leaves;
     for (const Stretch& stretch : stretches_) {
@@ -101,8 +101,7 @@ class LeafOrder {
           parts_[stretch.part].segment->least_totals() + (stretch.begin - begins_[stretch.part]);
       const std::size_t size = stretch.end - stretch.begin;
       for (std::size_t i = 0; i < size; ++i) {
-        const std::uint32_t share = (std::uint32_t{slope} * totals[i]) >> 16U;
-        reach[i] = sums[i] >= static_cast<std::uint16_t>(offset + share);
+        reach[i] = sums[i] >= offset + static_cast<std::int32_t>(slope * totals[i] >> 16U);
       }
       for (std::size_t i = 0; i < size; ++i) {
         if (reach[i]) take(stretch.begin + i, stretch.part, floor, leaves);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <topobag/bag/detail/info_columns.hpp>
+#include <topobag/bag/detail/info_range.hpp>
 #include <topobag/bag/detail/leaf_bounds.hpp>
 #include <topobag/bag/detail/node_scan.hpp>
 #include <topobag/bag/detail/sketch.hpp>
@@ -37,6 +38,7 @@ class Segment {
   std::size_t size() const noexcept { return ids_.size(); }
   KeyframeId id(std::size_t slot) const noexcept { return ids_[slot]; }
   EntryInfo info(std::size_t slot) const { return infos_[slot]; }
+  const InfoRange& range() const noexcept { return range_; }  ///< of all ids and infos
   const std::uint8_t* graph(std::size_t slot) const noexcept {
     return bytes_.data() + begins_[slot];
   }
@@ -60,7 +62,7 @@ class Segment {
 
   /// O(log n).
   std::optional<std::size_t> slot_of(KeyframeId id) const {
-    if (ids_.empty() || id < least_id_ || id > greatest_id_) return std::nullopt;
+    if (!range_.may_contain(id)) return std::nullopt;
     std::size_t low = 0, high = ids_.size();
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
@@ -96,9 +98,9 @@ class Segment {
   std::vector<std::uint32_t> begins_{0};  ///< of the graphs in `bytes_`, and their end
   std::vector<std::uint8_t> bytes_;
   InfoColumns infos_;
+  InfoRange range_;
   std::vector<Sketch> sketches_;
   std::vector<std::uint32_t> by_id_;  ///< slots by ascending id; empty where they are so already
-  KeyframeId least_id_{}, greatest_id_{};
 
   std::vector<std::uint32_t> leaf_begins_{0};  ///< first slots, and the end
   std::vector<TotalRange> total_ranges_;       ///< by leaf
@@ -176,6 +178,7 @@ class Segment::Builder {
   void append(KeyframeId id, const EntryInfo& info, const std::uint8_t* graph, std::size_t size) {
     segment_.ids_.push_back(id);
     segment_.infos_.push_back(info);
+    segment_.range_.extend(id, info);
     segment_.bytes_.insert(segment_.bytes_.end(), graph, graph + size);
     segment_.begins_.push_back(static_cast<std::uint32_t>(segment_.bytes_.size()));
   }
@@ -217,16 +220,12 @@ class Segment::Builder {
   }
 
   void sort_ids() {
-    auto& ids = segment_.ids_;
-    if (ids.empty()) return;
-    if (!std::is_sorted(ids.begin(), ids.end())) {
-      segment_.by_id_.resize(ids.size());
-      std::iota(segment_.by_id_.begin(), segment_.by_id_.end(), 0U);
-      std::sort(segment_.by_id_.begin(), segment_.by_id_.end(),
-                [&](std::uint32_t l, std::uint32_t r) { return ids[l] < ids[r]; });
-    }
-    segment_.least_id_ = ids[segment_.by_id(0)];
-    segment_.greatest_id_ = ids[segment_.by_id(ids.size() - 1)];
+    const auto& ids = segment_.ids_;
+    if (std::is_sorted(ids.begin(), ids.end())) return;
+    segment_.by_id_.resize(ids.size());
+    std::iota(segment_.by_id_.begin(), segment_.by_id_.end(), 0U);
+    std::sort(segment_.by_id_.begin(), segment_.by_id_.end(),
+              [&](std::uint32_t l, std::uint32_t r) { return ids[l] < ids[r]; });
   }
 
   const ClassPairDistanceHistogram* similarity_;
