@@ -45,17 +45,21 @@ inline RefinedPose refine_pose(Eigen::Isometry3d T_target_source,
     g.setZero();
     for (const PointPair& pair : pairs) {
       const Eigen::Vector3d r = pair.residual(T_target_source);
-      const Eigen::Matrix3d information = pair.covariance(T_target_source).inverse();
-      const double bent = 1.0 + r.dot(information * r) / width2;
+      Eigen::Matrix3d weight = pair.covariance(T_target_source).inverse();
+      const double bent = 1.0 + r.dot(weight * r) / width2;
+      weight /= bent * bent;
+      // The moved source point changes by (I, turn) · ξ.
       const Eigen::Vector3d moved = T_target_source * pair.source;
-      Eigen::Matrix<double, 3, 6> J;  // of the moved source point by ξ
-      J << Eigen::Matrix3d::Identity(), (Eigen::Matrix3d() << 0.0, moved.z(), -moved.y(),
-                                         -moved.z(), 0.0, moved.x(), moved.y(), -moved.x(), 0.0)
-                                            .finished();
-      const Eigen::Matrix<double, 6, 3> weighted = J.transpose() * information / (bent * bent);
-      H += weighted * J;
-      g += weighted * r;
+      Eigen::Matrix3d turn;
+      turn << 0.0, moved.z(), -moved.y(), -moved.z(), 0.0, moved.x(), moved.y(), -moved.x(), 0.0;
+      const Eigen::Matrix3d weighted_turn = weight * turn;
+      H.topLeftCorner<3, 3>() += weight;
+      H.topRightCorner<3, 3>() += weighted_turn;
+      H.bottomRightCorner<3, 3>() += turn.transpose() * weighted_turn;
+      g.head<3>() += weight * r;
+      g.tail<3>() += weighted_turn.transpose() * r;
     }
+    H.bottomLeftCorner<3, 3>() = H.topRightCorner<3, 3>().transpose();
   };
   Matrix6 H;
   Vector6 g;
