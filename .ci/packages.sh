@@ -1,4 +1,4 @@
-# Sourced by the scripts that build: installs Debian packages where that is possible.
+# Sourced by the scripts that build: installs Debian packages where that is possible, and builds.
 
 # need_packages PACKAGE...: installs those that are missing, or ends with their names.
 need_packages() {
@@ -25,4 +25,16 @@ need_build_tools() {
   command -v cmake >/dev/null || packages+=(cmake)
   command -v make >/dev/null || command -v ninja >/dev/null || packages+=(make)
   need_packages "${packages[@]}"
+}
+
+# build_program: build/examples/topobag, from the project's folder; says something only when it fails.
+build_program() {
+  local log=build/examples/build.log
+  need_build_tools
+  need_packages libeigen3-dev libcgal-dev libcli11-dev nlohmann-json3-dev
+  mkdir -p build/examples
+  if ! { cmake -S . -B build && cmake --build build --parallel "$(nproc)" --target topobag_cli; } >"$log" 2>&1; then
+    cat "$log" >&2
+    exit 1
+  fi
 }

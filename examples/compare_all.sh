@@ -7,15 +7,7 @@ nodes=$(realpath "${1:?give the folder of the node tables}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source .ci/packages.sh
 
-need_build_tools
-need_packages libeigen3-dev libcgal-dev libcli11-dev nlohmann-json3-dev
-
-mkdir -p build/examples
-log=build/examples/build.log
-if ! { cmake -S . -B build && cmake --build build --parallel "$(nproc)" --target topobag_cli; } >"$log" 2>&1; then
-  cat "$log" >&2
-  exit 1
-fi
+build_program
 
 # compare TITLE OPTION...: from single frames, and from windows.
 compare() {

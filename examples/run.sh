@@ -4,15 +4,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source .ci/packages.sh
 
-need_build_tools
-need_packages libeigen3-dev libcgal-dev libcli11-dev nlohmann-json3-dev
-
-mkdir -p build/examples
-log=build/examples/build.log
-if ! { cmake -S . -B build && cmake --build build --parallel "$(nproc)" --target topobag_cli; } >"$log" 2>&1; then
-  cat "$log" >&2
-  exit 1
-fi
+build_program
 
 drawing=$PWD/build/examples/fr1_rpy_in_fr1_xyz.svg
 report=$PWD/build/examples/fr1_rpy_in_fr1_xyz.html
