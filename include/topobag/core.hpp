@@ -4,6 +4,7 @@
 /// Everything that needs Eigen alone: target `topobag::core`.
 #include <topobag/assert.hpp>
 #include <topobag/error.hpp>
+#include <topobag/fast_math.hpp>
 #include <topobag/fwd.hpp>
 #include <topobag/version.hpp>
 #include <topobag/types/bounding_box.hpp>
@@ -73,6 +74,7 @@
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
+#include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/build_indexed_bag.hpp>

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <topobag/fast_math.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {

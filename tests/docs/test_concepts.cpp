@@ -94,6 +94,11 @@ static_assert(is_depth_source_v<DisparityDepth<Wall>> && is_depth_source_v<Spars
               is_depth_source_v<DepthGrid>);
 static_assert(!is_depth_source_v<double>);
 
+static_assert(is_depth_sampling_v<LowestPixel, Wall> && is_depth_sampling_v<RobustBoxDepth, Wall> &&
+              is_depth_sampling_v<CenterDepth, Wall> &&
+              is_depth_sampling_v<SparseBoxDepth, SparseDepth>);
+static_assert(!is_depth_sampling_v<SparseBoxDepth, Wall> && !is_depth_sampling_v<Wall, Wall>);
+
 // ---- Edges and similarities
 // ----------------------------------------------------------------------
 
@@ -200,6 +205,11 @@ class SharedBag {
   std::shared_ptr<const ListBag> view_ = std::make_shared<ListBag>();
 };
 
+static_assert(is_look_up_bag_v<ListBag> && !is_look_up_bag_v<SharedBag>);
+static_assert(is_growing_bag_v<ListBag> && is_growing_bag_v<SharedBag>);
+static_assert(is_stored_bag_v<ListBag> && !is_stored_bag_v<SharedBag>);
+static_assert(is_durable_bag_v<ListBag> && !is_durable_bag_v<SharedBag>);
+
 // ---- A host
 // --------------------------------------------------------------------------------------
 
@@ -237,6 +247,8 @@ struct MultiMapKeyFrame {
 };
 
 static_assert(!has_maps_v<HostKeyFrame> && has_maps_v<MultiMapKeyFrame>);
+static_assert(is_host_key_frame_v<HostKeyFrame> && is_host_key_frame_v<MultiMapKeyFrame>);
+static_assert(is_host_pose_v<HostPose> && is_host_pose_v<Eigen::Isometry3f>);
 
 }  // namespace
 

@@ -49,6 +49,9 @@ struct topobag::PositionTraits<Landmark> {
 static_assert(has_position_v<Landmark> && has_position_v<Eigen::Vector2f> &&
               has_position_v<SemanticNode<>>);
 static_assert(!has_position_v<int>);
+static_assert(is_hint_v<NoHint> && is_hint_v<LastUsedVertexHint> && is_hint_v<HierarchyHint>);
+static_assert(is_projection_v<FrontPlane, float> && is_projection_v<ImagePlane, double> &&
+              is_projection_v<GroundPlane, double> && is_projection_v<BestFitPlane, double>);
 static_assert(is_edge_builder_v<DelaunayEdges2<>, double> &&
               is_edge_builder_v<DelaunayEdges2<BestFitPlane>, double> &&
               is_edge_builder_v<DelaunayEdges2<GroundPlane>, double> &&

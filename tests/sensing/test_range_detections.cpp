@@ -42,3 +42,13 @@ TEST_CASE("a depth that is no distance counts as none", "[sensing]") {
     CHECK(range_detections(detections, depth, camera, CenterDepth{})[0].z == 0.0);
   }
 }
+
+TEST_CASE("a sampling policy may give a plain number", "[sensing]") {
+  const PinholeCamera<> camera{100.0, 100.0, 50.0, 50.0, 0, 0};
+  const std::vector<Detection> detections{{{10.0, 10.0, 20.0, 20.0}, ClassId{1}, 0.5}};
+  const auto wall = [](const Eigen::Vector2d&) { return std::optional<double>(2.0); };
+  const auto half = [](const auto& depth, const BoundingBox& box) {
+    return *depth(box.center()) / 2.0;
+  };
+  CHECK(range_detections(detections, wall, camera, half)[0].z == 1.0);
+}

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/adaptors/orb_slam/drop_features.hpp>
+#include <topobag/adaptors/orb_slam/host_key_frame.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_bag.hpp>
 
 namespace topobag {
@@ -86,6 +88,9 @@ class OrbSlamDatabase {
 
   /// As `KeyFrameBag::add`.
   void add(KeyFrame* key_frame) {
+    static_assert(is_host_key_frame_v<KeyFrame>,
+                  "topobag: a host's key frame has mnId, mTimeStamp, isBad(), GetPoseInverse() and "
+                  "GetConnectedKeyFrames(), as ORB-SLAM's.");
     guarded([&] { return bag_.add(*key_frame), true; });
   }
 

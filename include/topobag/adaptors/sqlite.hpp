@@ -12,6 +12,7 @@
 #include <topobag/adaptors/detail/sqlite_row.hpp>
 #include <topobag/adaptors/detail/sqlite_schema.hpp>
 #include <topobag/adaptors/detail/sqlite_statement.hpp>
+#include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
@@ -50,6 +51,11 @@ struct MapSession {
 /// begins with the file's name. (Tables: `docs/format.md`.)
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class SqliteBag {
+  static_assert(is_durable_bag_v<Bag_>,
+                "topobag: a bag over SQLite has Graph = TopologyGraph<Scalar>, "
+                "contains(KeyframeId) const, add(KeyframeId, "
+                "Graph, EntryInfo), the same update, and erase(KeyframeId) -> bool.");
+
  public:
   using Bag = Bag_;
   using Graph = typename Bag::Graph;

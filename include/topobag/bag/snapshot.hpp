@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <topobag/assert.hpp>
+#include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/detail/entry_record.hpp>
 #include <topobag/bag/detail/file_bytes.hpp>
@@ -61,6 +62,10 @@ inline std::vector<std::uint8_t> read_record(std::istream& stream) {
 /// Throws Error when the stream fails, InvalidValue as `encode` does. O(n).
 template <typename Bag>
 void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {}) {
+  static_assert(is_stored_bag_v<Bag>,
+                "topobag: a bag to save has Graph = TopologyGraph<Scalar>, size() const and "
+                "for_each(visit) const, which "
+                "calls visit(KeyframeId, const EntryInfo&, const Graph&).");
   using Scalar = typename Bag::Graph::Scalar;
   SnapshotHeader header;
   header.scalar_bytes = sizeof(Scalar);
@@ -85,6 +90,9 @@ void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {})
 /// Throws FormatError. O(n · add).
 template <typename Bag = BagOfTopologyGraphs<>>
 Bag load(std::istream& stream, std::uint64_t catalog_fingerprint = 0, Bag empty = Bag{}) {
+  static_assert(is_growing_bag_v<Bag>,
+                "topobag: a bag that grows has Graph = TopologyGraph<Scalar> and add(KeyframeId, "
+                "Graph, EntryInfo).");
   using Scalar = typename Bag::Graph::Scalar;
   TOPOBAG_ASSERT(empty.empty());
   const SnapshotHeader header = inspect(stream);

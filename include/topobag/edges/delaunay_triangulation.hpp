@@ -46,8 +46,11 @@ struct CoincidentInput {
 template <typename Vertex, typename Hint = LastUsedVertexHint>
 class DelaunayTriangulation {
   static_assert(has_position_v<Vertex>,
-                "a vertex needs a position: specialise topobag::PositionTraits<Vertex> with "
-                "static Eigen::Vector2d position(const Vertex&)");
+                "topobag: a vertex needs a position: specialise topobag::PositionTraits<Vertex> "
+                "with static Eigen::Vector2d position(const Vertex&).");
+  static_assert(is_hint_v<Hint>,
+                "topobag: a hint has suggest(const Eigen::Vector2d&) const -> "
+                "std::optional<NodeIndex> and notice(NodeIndex) const, and can be copied.");
 
  public:
   DelaunayTriangulation() = default;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -56,6 +58,26 @@ class HierarchyHint {
   /// Nothing has to be kept.
   void notice(NodeIndex /*vertex*/) const noexcept {}
 };
+
+namespace detail {
+
+template <typename Hint, typename = void>
+struct is_hint : std::false_type {};
+template <typename Hint>
+struct is_hint<Hint, std::void_t<decltype(std::declval<const Hint&>().suggest(
+                                     std::declval<const Eigen::Vector2d&>())),
+                                 decltype(std::declval<const Hint&>().notice(NodeIndex{}))>>
+    : std::bool_constant<std::is_convertible_v<decltype(std::declval<const Hint&>().suggest(
+                                                   std::declval<const Eigen::Vector2d&>())),
+                                               std::optional<NodeIndex>> &&
+                         std::is_default_constructible_v<Hint> &&
+                         std::is_copy_constructible_v<Hint> && std::is_copy_assignable_v<Hint>> {};
+
+}  // namespace detail
+
+/// Whether `Hint` serves a `DelaunayTriangulation` (C++20: `concept Hint`).
+template <typename Hint>
+inline constexpr bool is_hint_v = detail::is_hint<Hint>::value;
 
 }  // namespace v0
 }  // namespace topobag

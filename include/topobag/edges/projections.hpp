@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -108,6 +109,26 @@ struct BestFitPlane {
     return detail::PlaneProjection(axes.rightCols<2>().transpose());
   }
 };
+
+namespace detail {
+
+template <typename Projection, typename Scalar, typename = void>
+struct is_projection : std::false_type {};
+template <typename Projection, typename Scalar>
+struct is_projection<Projection, Scalar,
+                     std::enable_if_t<std::is_invocable_v<
+                         const Projection&, const std::vector<SemanticNode<Scalar>>&>>>
+    : std::is_invocable_r<
+          std::optional<Eigen::Vector2d>,
+          const std::invoke_result_t<const Projection&, const std::vector<SemanticNode<Scalar>>&>&,
+          const SemanticNode<Scalar>&> {};
+
+}  // namespace detail
+
+/// Whether `Projection` tells a planar edge builder where nodes of `Scalar` lie (C++20: `concept
+/// Projection`).
+template <typename Projection, typename Scalar>
+inline constexpr bool is_projection_v = detail::is_projection<Projection, Scalar>::value;
 
 }  // namespace v0
 }  // namespace topobag

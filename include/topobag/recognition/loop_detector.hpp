@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/error.hpp>
 #include <topobag/recognition/relocalizer.hpp>
@@ -26,6 +27,10 @@ struct LoopOptions {
 ///     close(id, r);
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class LoopDetector {
+  static_assert(is_growing_bag_v<Bag_>,
+                "topobag: a bag that grows has Graph = TopologyGraph<Scalar> and add(KeyframeId, "
+                "Graph, EntryInfo).");
+
  public:
   using Bag = Bag_;
   using Graph = typename Bag::Graph;

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
@@ -34,6 +36,9 @@ const Bag* present_view(const Bag& bag, long) {
   return &bag;
 }
 
+template <typename Bag>
+using PresentView = std::decay_t<decltype(*present_view(std::declval<const Bag&>(), 0))>;
+
 }  // namespace detail
 
 /// Finds a lost camera in a map. With an `IndexedBag`, one thread may add to the map while others
@@ -45,6 +50,11 @@ const Bag* present_view(const Bag& bag, long) {
 ///     use(r.accepted->pose->T_candidate_query);
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class Relocalizer {
+  static_assert(is_look_up_bag_v<detail::PresentView<Bag_>>,
+                "topobag: a bag to look up in has Graph = TopologyGraph<Scalar>, query(graph, "
+                "QueryOptions) const -> std::vector<Candidate> and find(KeyframeId) const -> "
+                "std::optional<Graph>, or a view() that has.");
+
  public:
   using Bag = Bag_;
   using Graph = typename Bag::Graph;

@@ -30,7 +30,7 @@ class DepthGrid {
         columns_(columns),
         rows_(rows) {
     static_assert(is_depth_source_v<DepthSource>,
-                  "topobag: a depth source is callable as depth(const Eigen::Vector2d& pixel) -> "
+                  "topobag: a depth source is callable as depth(Eigen::Vector2d pixel) -> "
                   "std::optional<double> metres.");
     if (width < 1 || height < 1 || columns < 1 || rows < 1) {
       throw InvalidValue("a depth grid needs an image and at least one cell");

@@ -17,8 +17,12 @@ namespace topobag {
 inline namespace v0 {
 
 /// A depth sampling policy is any callable `(depth source, box) -> std::optional<double>`, metres.
-/// This one is the paper's: the depth at the box centre (eq. 1). A hole there means no depth, and
-/// what lies behind a chair's back rest passes for the chair.
+template <typename Sampling, typename Depth>
+inline constexpr bool is_depth_sampling_v =
+    std::is_invocable_r_v<std::optional<double>, const Sampling&, const Depth&, const BoundingBox&>;
+
+/// The paper's sampling policy: the depth at the box centre (eq. 1). A hole there means no depth,
+/// and what lies behind a chair's back rest passes for the chair.
 struct CenterDepth {
   template <typename Depth>
   std::optional<double> operator()(const Depth& depth, const BoundingBox& box) const {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <topobag/error.hpp>
+#include <topobag/sensing/depth_view.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -18,6 +19,10 @@ inline namespace v0 {
 ///                    image with its scale (16 for OpenCV's matchers) is one
 template <typename Disparity>
 class DisparityDepth {
+  static_assert(is_depth_source_v<Disparity>,
+                "topobag: a source of disparities is callable as disparity(Eigen::Vector2d pixel) "
+                "-> std::optional<double> pixels.");
+
  public:
   /// @param focal_length  of the rectified images, px
   /// @param baseline      m

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <topobag/error.hpp>
+#include <topobag/sensing/depth_view.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ranged_detection.hpp>
 
@@ -84,6 +85,9 @@ class DynamicFeatureMask {
   /// The same for many features, with their depth from a depth source: `true` = to be dropped.
   template <typename Depth>
   std::vector<bool> masked(const std::vector<Eigen::Vector2d>& pixels, const Depth& depth) const {
+    static_assert(is_depth_source_v<Depth>,
+                  "topobag: a depth source is callable as depth(Eigen::Vector2d pixel) -> "
+                  "std::optional<double> metres.");
     std::vector<bool> drop(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) drop[i] = (*this)(pixels[i], depth(pixels[i]));
     return drop;

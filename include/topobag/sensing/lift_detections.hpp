@@ -192,7 +192,11 @@ LiftedNodes<Scalar> lift_detections(const Detections& detections, const Depth& d
   static_assert(is_depth_source_v<Depth>,
                 "topobag: a depth source is callable as depth(Eigen::Vector2d pixel) -> "
                 "std::optional<double> metres.");
-  if constexpr (is_detection_v<T> && is_depth_source_v<Depth>) {
+  static_assert(is_depth_sampling_v<Sampling, Depth>,
+                "topobag: a depth sampling policy is callable as sampling(depth source, "
+                "BoundingBox) -> std::optional<double> metres.");
+  if constexpr (is_detection_v<T> && is_depth_source_v<Depth> &&
+                is_depth_sampling_v<Sampling, Depth>) {
     return detail::lift_with(
         detections, [&](const T&, const BoundingBox& box) { return sampling(depth, box); }, camera,
         catalog, options);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include <Eigen/Core>
 
@@ -14,6 +15,9 @@ inline namespace v0 {
 /// A pinhole camera without distortion (rectified or undistorted pixels).
 template <typename Scalar_ = double>
 struct PinholeCamera {
+  static_assert(std::is_floating_point_v<Scalar_>,
+                "topobag: the scalar of a camera is a floating-point type.");
+
   using Scalar = Scalar_;
   using Vector2 = Eigen::Matrix<Scalar, 2, 1>;
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;

@@ -27,16 +27,24 @@ template <typename Detections, typename Depth, typename Scalar, typename Samplin
 std::vector<RangedDetection> range_detections(const Detections& detections, const Depth& depth,
                                               const PinholeCamera<Scalar>& camera,
                                               const Sampling& sampling = {}) {
-  using Traits = detection_traits<std::decay_t<decltype(*std::begin(detections))>>;
+  using T = std::decay_t<decltype(*std::begin(detections))>;
+  using Traits = detection_traits<T>;
+  static_assert(is_detection_v<T>,
+                "topobag: specialise topobag::detection_traits for your detection type "
+                "(box, label, confidence).");
   static_assert(is_depth_source_v<Depth>,
                 "topobag: a depth source is callable as depth(Eigen::Vector2d pixel) -> "
                 "std::optional<double> metres.");
+  static_assert(is_depth_sampling_v<Sampling, Depth>,
+                "topobag: a depth sampling policy is callable as sampling(depth source, "
+                "BoundingBox) -> std::optional<double> metres.");
   const bool size_known = camera.width > 0 && camera.height > 0;
   std::vector<RangedDetection> ranged;
   for (const auto& detection : detections) {
     BoundingBox box = Traits::box(detection);
     if (box.is_valid() && size_known) box = box.clipped(camera.width, camera.height);
-    const std::optional<double> z = box.is_valid() ? sampling(depth, box) : std::nullopt;
+    std::optional<double> z;
+    if (box.is_valid()) z = sampling(depth, box);
     ranged.push_back({box, Traits::label(detection), Traits::confidence(detection),
                       z && std::isfinite(*z) && *z > 0.0 ? *z : 0.0});
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include <Eigen/Core>
 
@@ -15,6 +16,9 @@ inline namespace v0 {
 /// Frame: the camera of the graph's key frame, x right, y down, z forward, metres.
 template <typename Scalar_ = double>
 struct SemanticNode {
+  static_assert(std::is_floating_point_v<Scalar_>,
+                "topobag: the scalar of nodes and graphs is a floating-point type.");
+
   using Scalar = Scalar_;
   using Vector2 = Eigen::Matrix<Scalar, 2, 1>;
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;

@@ -31,13 +31,27 @@ template <typename Pose>
 struct has_matrix<Pose, std::void_t<decltype(std::declval<const Pose&>().matrix())>>
     : std::true_type {};
 
+template <typename Pose, typename = void>
+struct has_float_at : std::false_type {};
+template <typename Pose>
+struct has_float_at<Pose,
+                    std::void_t<decltype(std::declval<const Pose&>().template at<float>(0, 0))>>
+    : std::true_type {};
+
 }  // namespace detail
+
+/// Whether `host_pose` can read it (C++20: `concept HostPose`).
+template <typename Pose>
+inline constexpr bool is_host_pose_v = detail::has_matrix<std::remove_reference_t<Pose>>::value ||
+                                       detail::has_float_at<std::remove_reference_t<Pose>>::value;
 
 /// The pose of a host as double: of anything with `matrix()` (Sophus::SE3f, as in ORB-SLAM3, and
 /// Eigen's own) or with `at<float>(row, column)` (a 4 × 4 cv::Mat, as in ORB-SLAM2). A rotation
 /// that rounding left askew is put right.
 template <typename Pose>
 Eigen::Isometry3d host_pose(const Pose& pose) {
+  static_assert(is_host_pose_v<Pose>,
+                "topobag: a host's pose has matrix(), or at<float>(row, column) as a cv::Mat.");
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   if constexpr (detail::has_matrix<Pose>::value) {
     matrix = pose.matrix().template cast<double>();

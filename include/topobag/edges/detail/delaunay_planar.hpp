@@ -4,6 +4,7 @@
 // Includes CGAL's triangulations, which are GPL-3.0-or-later or under a commercial licence.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -14,6 +15,8 @@
 #include <topobag/edges/edge_list.hpp>
 #include <topobag/edges/insertion_error.hpp>
 #include <topobag/edges/position_in_triangulation.hpp>
+#include <topobag/edges/projections.hpp>
+#include <topobag/types/semantic_node.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -27,14 +30,17 @@ using PlanarDelaunay =
 
 /// Triangulates the places that `projection` gives the nodes. Returns the edges between coincident
 /// nodes, see `insert_points`. Throws `InsertionError` with the node's index.
-template <typename Nodes, typename Projection>
-EdgeList triangulate(PlanarDelaunay& triangulation, const Nodes& nodes,
+template <typename Scalar, typename Projection>
+EdgeList triangulate(PlanarDelaunay& triangulation, const std::vector<SemanticNode<Scalar>>& nodes,
                      const Projection& projection) {
+  static_assert(is_projection_v<Projection, Scalar>,
+                "topobag: a projection is callable as projection(nodes)(node) -> "
+                "std::optional<Eigen::Vector2d>.");
   const auto project = projection(nodes);
   std::vector<IndexedPoint<Kernel::Point_2>> points;
   points.reserve(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto place = project(nodes[i]);
+    const std::optional<Eigen::Vector2d> place = project(nodes[i]);
     if (!place) continue;
     validate_position(*place, i);
     points.emplace_back(Kernel::Point_2(place->x(), place->y()), node_index(i));

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/query.hpp>
+#include <topobag/graph/topology_graph.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+namespace detail {
+
+/// A bag's graph; no type when it is none of ours.
+template <typename Bag>
+using GraphOf = std::enable_if_t<
+    std::is_same_v<typename Bag::Graph, TopologyGraph<typename Bag::Graph::Scalar>>,
+    typename Bag::Graph>;
+
+template <typename Bag, typename = void>
+struct is_look_up_bag : std::false_type {};
+template <typename Bag>
+struct is_look_up_bag<
+    Bag,
+    std::enable_if_t<std::is_convertible_v<decltype(std::declval<const Bag&>().query(
+                                               std::declval<const GraphOf<Bag>&>(),
+                                               std::declval<const QueryOptions&>())),
+                                           std::vector<Candidate>> &&
+                     std::is_convertible_v<decltype(std::declval<const Bag&>().find(KeyframeId{})),
+                                           std::optional<GraphOf<Bag>>>>> : std::true_type {};
+
+template <typename Bag, typename = void>
+struct is_growing_bag : std::false_type {};
+template <typename Bag>
+struct is_growing_bag<Bag,
+                      std::void_t<decltype(std::declval<Bag&>().add(
+                          KeyframeId{}, std::declval<GraphOf<Bag>>(), std::declval<EntryInfo>()))>>
+    : std::true_type {};
+
+template <typename Bag, typename = void>
+struct is_stored_bag : std::false_type {};
+template <typename Bag>
+struct is_stored_bag<
+    Bag, std::void_t<decltype(std::declval<const Bag&>().for_each(
+             std::declval<void (*)(KeyframeId, const EntryInfo&, const GraphOf<Bag>&)>()))>>
+    : std::is_convertible<decltype(std::declval<const Bag&>().size()), std::uint64_t> {};
+
+template <typename Bag, typename = void>
+struct is_durable_bag : std::false_type {};
+template <typename Bag>
+struct is_durable_bag<
+    Bag,
+    std::enable_if_t<
+        std::is_convertible_v<decltype(std::declval<const Bag&>().contains(KeyframeId{})), bool> &&
+        std::is_convertible_v<decltype(std::declval<Bag&>().erase(KeyframeId{})), bool> &&
+        std::is_void_v<std::void_t<decltype(std::declval<Bag&>().update(
+            KeyframeId{}, std::declval<GraphOf<Bag>>(), std::declval<EntryInfo>()))>>>>
+    : is_growing_bag<Bag> {};
+
+}  // namespace detail
+
+/// Whether key frames can be looked up in `Bag`: `Relocalizer` (C++20: `concept LookUpBag`).
+template <typename Bag>
+inline constexpr bool is_look_up_bag_v = detail::is_look_up_bag<Bag>::value;
+
+/// Whether key frames can be put into `Bag`: `LoopDetector`, `load` (C++20: `concept GrowingBag`).
+template <typename Bag>
+inline constexpr bool is_growing_bag_v = detail::is_growing_bag<Bag>::value;
+
+/// Whether `Bag` can be walked through: `save` (C++20: `concept StoredBag`).
+template <typename Bag>
+inline constexpr bool is_stored_bag_v = detail::is_stored_bag<Bag>::value;
+
+/// Whether `SqliteBag` can fill `Bag` (C++20: `concept DurableBag`).
+template <typename Bag>
+inline constexpr bool is_durable_bag_v = detail::is_durable_bag<Bag>::value;
+
+}  // namespace v0
+}  // namespace topobag
