@@ -108,6 +108,8 @@ done >>"$violations"
 # A program names no detail.
 grep -rnE 'include <topobag/(.*/)?detail/' ../../examples --include='*.[ch]pp' >>"$violations" || true
 
-cat "$violations"
-echo "$(wc -l <"$violations") violations in ${#headers[@]} headers"
-[ ! -s "$violations" ]
+if [ -s "$violations" ]; then
+  cat "$violations"
+  exit 1
+fi
+echo "${#headers[@]} headers include each other as they should"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MISFIT 1: topobag: a bag to save has Graph = TopologyGraph<Scalar>, size() const and for_each(visit) const
+// MISFIT 1: topobag: a bag to save has Graph = TopologyGraph<Scalar>, size() const and
 // MISFIT 2: topobag: a bag that grows has Graph = TopologyGraph<Scalar> and add(KeyframeId,
 #include <sstream>
 
