@@ -10,96 +10,13 @@
 #include <topobag/matching/match_nodes.hpp>
 
 #include "catch.hpp"
+#include "matching/exhaustive_search.hpp"
 #include "matching/layouts.hpp"
 #include "random_graphs.hpp"
 
 using namespace topobag;
 
 namespace {
-
-/// All sets of one-to-one pairs that agree, one query node after the other: the reference.
-class ExhaustiveSearch {
- public:
-  ExhaustiveSearch(const TopologyGraph<>& candidate, const TopologyGraph<>& query,
-                   const ConsistencyOptions& options)
-      : candidate_(candidate), query_(query), options_(options) {
-    choose(0);
-  }
-
-  std::size_t size() const { return size_; }
-  double rms_difference() const { return rms_; }
-
-  bool agree(const Correspondence& a, const Correspondence& b) const {
-    if (a.query == b.query || a.candidate == b.candidate) return false;
-    const double difference =
-        std::abs(length(candidate_, a.candidate, b.candidate) - length(query_, a.query, b.query));
-    if (difference <= options_.min_tolerance) return true;
-    const double deviation = std::sqrt(variance(candidate_, a.candidate, b.candidate) +
-                                       variance(query_, a.query, b.query));
-    return difference <= std::min(options_.max_tolerance, options_.deviations * deviation);
-  }
-
-  bool may_pair(const Correspondence& pair) const {
-    const auto& p = candidate_.node(pair.candidate);
-    const auto& q = query_.node(pair.query);
-    const double ratio = p.size.norm() / q.size.norm();
-    return p.position && q.position && p.label == q.label && ratio <= options_.max_size_ratio &&
-           1.0 / ratio <= options_.max_size_ratio;
-  }
-
-  double rms_of(const std::vector<Correspondence>& pairs) const {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const double difference = length(candidate_, pairs[i].candidate, pairs[j].candidate) -
-                                  length(query_, pairs[i].query, pairs[j].query);
-        sum += difference * difference;
-        ++count;
-      }
-    }
-    return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count));
-  }
-
- private:
-  static double length(const TopologyGraph<>& graph, NodeIndex i, NodeIndex j) {
-    return (*graph.node(i).position - *graph.node(j).position).norm();
-  }
-
-  static double variance(const TopologyGraph<>& graph, NodeIndex i, NodeIndex j) {
-    const Eigen::Vector3d u = (*graph.node(i).position - *graph.node(j).position).normalized();
-    return u.dot(graph.node(i).covariance * u) + u.dot(graph.node(j).covariance * u);
-  }
-
-  void choose(std::size_t q) {
-    if (chosen_.size() + (query_.size() - q) < size_) return;
-    if (q == query_.size()) {
-      const double rms = rms_of(chosen_);
-      if (chosen_.size() > size_ || rms < rms_) rms_ = rms;
-      size_ = std::max(size_, chosen_.size());
-      return;
-    }
-    choose(q + 1);
-    for (std::size_t p = 0; p < candidate_.size(); ++p) {
-      const Correspondence pair{node_index(p), node_index(q)};
-      if (!may_pair(pair)) continue;
-      if (!std::all_of(chosen_.begin(), chosen_.end(),
-                       [&](const Correspondence& other) { return agree(pair, other); })) {
-        continue;
-      }
-      chosen_.push_back(pair);
-      choose(q + 1);
-      chosen_.pop_back();
-    }
-  }
-
-  const TopologyGraph<>& candidate_;
-  const TopologyGraph<>& query_;
-  const ConsistencyOptions& options_;
-  std::vector<Correspondence> chosen_;
-  std::size_t size_ = 0;
-  double rms_ = 0.0;
-};
 
 struct Case {
   TopologyGraph<> candidate;
@@ -119,6 +36,27 @@ Case any_case(std::mt19937& random, std::size_t round) {
 }
 
 }  // namespace
+
+TEST_CASE("coincident nodes are matched as exhaustive search matches them", "[matching]") {
+  std::mt19937 random(63);
+  const auto crowded = [&] {
+    std::vector<SemanticNode<>> nodes(random() % 7);
+    for (auto& node : nodes) {
+      node.position = 0.0973 * Eigen::Vector3d(static_cast<double>(random() % 3), 0.0, 20.0);
+      node.size = {0.2, 0.2};
+      node.covariance = 1e-3 * static_cast<double>(1 + random() % 9) * Eigen::Matrix3d::Identity();
+    }
+    return TopologyGraph<>(nodes);
+  };
+  for (int round = 0; round < 500; ++round) {
+    const TopologyGraph<> candidate = crowded(), query = crowded();
+    const MatchNodesOptions options;
+    const ExhaustiveSearch reference(candidate, query, options.consistency);
+    const NodeMatching found = match_nodes(candidate, query, options);
+    REQUIRE(found.pairs.size() == reference.size());
+    REQUIRE(found.rms_difference == Approx(reference.rms_difference()).margin(1e-9));
+  }
+}
 
 TEST_CASE("matching equals exhaustive search and ignores order and motion", "[matching]") {
   std::mt19937 random(71);

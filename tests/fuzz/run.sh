@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Fuzzes what reads foreign bytes, and the matcher, under AddressSanitizer and UBSan.
+#   bash tests/fuzz/run.sh [SECONDS] [TARGET...]: so long each, one after the other; 60 s and all by default
+# A finding is left in build/fuzz as crash-*: make a named test of it.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source .ci/packages.sh
+need_packages clang libeigen3-dev libcgal-dev nlohmann-json3-dev catch2
+
+seconds=${1:-60}
+shift || true
+targets=("$@")
+[ ${#targets[@]} -gt 0 ] || targets=(saved_bag graph_codec trajectory node_table box_file delaunay match)
+program=examples/topobag
+declare -A sources=([node_table]="$program/node_table.cpp $program/csv_reader.cpp"
+  [box_file]="$program/box_files.cpp $program/csv_reader.cpp" [delaunay]="-lgmp -lmpfr")
+out=build/fuzz
+mkdir -p "$out"
+
+# Seeds: what the project's own files hold.
+for target in "${targets[@]}"; do mkdir -p "$out/$target"; done
+seed() { if [ -d "$out/$1" ]; then cat "${@:3}" >"$out/$1/$2"; fi; }
+seed saved_bag v1 tests/bag/frozen/v1.bag
+printf '1305031098.5 1 2 3 0 0 0 1\n1305031099.5 1 2 3 0.5 0.5 0.5 0.5\n' >"$out/tum"
+printf '1 0 0 1 0 1 0 2 0 0 1 3\n' >"$out/kitti"
+printf 'seq: 1\nscene: cafe\naligned: true\nfps: 10\n1 0 0 0 0 0 0 1\n' >"$out/openloris"
+printf 'query,candidate,score\n7,3,0.5\n' >"$out/scores"
+kind=0
+for text in tum kitti openloris scores; do
+  seed trajectory "$text" <(printf "\\x0$kind") "$out/$text"
+  kind=$((kind + 1))
+done
+seed node_table sample <(head -n 20 examples/data/fr1_xyz.frames.csv) <(printf '\0') \
+  <(head -n 60 examples/data/fr1_xyz.nodes.csv)
+seed box_file yolo <(printf '\x01') <(printf '0 0.5 0.5 0.1 0.2 0.9\n1 0.1 0.1 0.1 0.1\n')
+seed box_file coco <(printf '\x00') \
+  <(printf '[{"image_id": 1, "category_id": 1, "bbox": [1, 2, 3, 4], "score": 0.5}]')
+
+for target in "${targets[@]}"; do
+  # shellcheck disable=SC2086 # several words
+  clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined \
+    -frounding-math -Iinclude -Itests -I$program -isystem /usr/include/eigen3 \
+    "tests/fuzz/$target.cpp" ${sources[$target]:-} -o "$out/fuzz_$target"
+  "$out/fuzz_$target" -max_total_time="$seconds" -artifact_prefix="$out/crash-$target-" \
+    "$out/$target" 2>"$out/log.txt" || { tail -n 40 "$out/log.txt" && exit 1; }
+  echo "$target: $(grep '^Done' "$out/log.txt")"
+done
