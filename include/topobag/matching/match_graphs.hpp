@@ -127,7 +127,7 @@ class PoseSearch {
                                       const std::vector<RelativePose>& known) const {
     RelativePose pose;
     std::vector<PointPair> points = point_pairs(clique);
-    RefinedPose refined{fit(points).T_target_source, {}};
+    RefinedPose refined = refine_pose(fit(points).T_target_source, points, options_.refine);
     for (int round = 0; round < max_rounds; ++round) {
       std::vector<Correspondence> supporters = supporters_of(refined.T_target_source);
       const bool is_known = std::any_of(known.begin(), known.end(), [&](const RelativePose& other) {
