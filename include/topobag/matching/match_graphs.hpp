@@ -126,9 +126,11 @@ class PoseSearch {
   std::optional<RelativePose> pose_of(const std::vector<Correspondence>& clique,
                                       const std::vector<RelativePose>& known) const {
     RelativePose pose;
+    pose.inliers = clique;
     std::vector<PointPair> points = point_pairs(clique);
-    RefinedPose refined = refine_pose(fit(points).T_target_source, points, options_.refine);
+    RefinedPose refined{fit(points).T_target_source, {}};
     for (int round = 0; round < max_rounds; ++round) {
+      refined = refine_pose(refined.T_target_source, points, options_.refine);
       std::vector<Correspondence> supporters = supporters_of(refined.T_target_source);
       const bool is_known = std::any_of(known.begin(), known.end(), [&](const RelativePose& other) {
         return other.inliers == supporters;
@@ -137,7 +139,6 @@ class PoseSearch {
       if (supporters == pose.inliers) break;
       pose.inliers = std::move(supporters);
       points = point_pairs(pose.inliers);
-      refined = refine_pose(refined.T_target_source, points, options_.refine);
     }
 
     pose.T_candidate_query = refined.T_target_source;
