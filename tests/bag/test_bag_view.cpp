@@ -86,17 +86,3 @@ TEST_CASE("a saved and loaded bag answers as the first one", "[bag][index]") {
   }
   CHECK(loaded.info(KeyframeId{950})->label == "a floor with a long name");
 }
-
-TEST_CASE("memory is counted by what it is for", "[bag][index]") {
-  RecombinedGraphs source(desk_pieces(10), 10);
-  const IndexedBag bag = small_bag(source);
-  const MemoryUsage usage = bag.view()->memory_usage();
-  CHECK(usage.total() == usage.graphs + usage.index + usage.entries);
-  std::size_t bytes = 0;
-  bag.for_each(
-      [&](KeyframeId, const EntryInfo&, const Graph& graph) { bytes += encode(graph).size(); });
-  CHECK(usage.graphs >= bytes);
-  CHECK(usage.graphs < bytes + 300 * 32);
-  CHECK(usage.index > 0);
-  CHECK(IndexedBag{}.memory_usage().total() < 1000);
-}

@@ -4,8 +4,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,6 +12,7 @@
 #include <topobag/bag/indexed_bag.hpp>
 
 #include "bag/desk_pieces.hpp"
+#include "bag/filled_bags.hpp"
 #include "bag/refusals.hpp"
 #include "catch.hpp"
 #include "recombined_graphs.hpp"
@@ -23,7 +22,6 @@ using namespace topobag;
 namespace {
 
 using Graph = TopologyGraph<>;
-using Oracle = BagOfTopologyGraphs<>;
 
 Graph stored(const Graph& graph) { return decode<double>(encode(graph)); }
 
@@ -78,7 +76,7 @@ void compare_with_brute_force(std::uint64_t seed, std::uint64_t ids, std::size_t
                               std::size_t queries, bool in_order) {
   RecombinedGraphs source(desk_pieces(static_cast<unsigned>(seed)), seed);
   IndexedBag bag;
-  Oracle oracle;
+  BruteForceBag oracle;
   std::vector<RecombinedGraphs::Nodes> places{source.place()};
   Graph last = source.keyframe(places.back());
   std::uint64_t next = 0;
@@ -122,24 +120,6 @@ void compare_with_brute_force(std::uint64_t seed, std::uint64_t ids, std::size_t
   });
   CHECK(std::is_sorted(kept.begin(), kept.end()));
   CHECK(kept.size() == bag.size());
-}
-
-/// Key frames of `places` places, ten of each in a row, under the ids 0, 1, …
-IndexedBag bag_of(RecombinedGraphs& source, std::size_t places) {
-  IndexedBag bag;
-  for (std::size_t p = 0; p < places; ++p) {
-    const auto place = source.place();
-    for (std::size_t i = 0; i < 10; ++i) bag.add(KeyframeId{10 * p + i}, source.keyframe(place));
-  }
-  return bag;
-}
-
-Oracle oracle_of(const IndexedBag& bag, const ClassPairDistanceHistogram& similarity = {}) {
-  Oracle oracle(similarity);
-  bag.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
-    oracle.add(id, graph, info);
-  });
-  return oracle;
 }
 
 /// Writes and reads at once for `time`; every view has to be whole.
@@ -233,7 +213,7 @@ TEST_CASE("the index keeps to unusual graphs, weights and bins", "[bag][index]")
   for (const auto& similarity : {ClassPairDistanceHistogram{}, weighted, coarse, without_sizes}) {
     IndexedBag bag(similarity);
     for (std::uint64_t i = 0; i < 400; ++i) bag.add(KeyframeId{i}, graphs[i % graphs.size()]);
-    const Oracle oracle = oracle_of(bag, similarity);
+    const BruteForceBag oracle = brute_force_of(bag, similarity);
     for (const Graph& query : graphs) {
       for (const std::size_t results : {1u, 10u, 500u}) {
         QueryOptions options;
@@ -269,53 +249,6 @@ TEST_CASE("ties of equal graphs, and of graphs with nothing in common, go by id"
   CHECK(IndexedBag{}.query(graph).empty());
 }
 
-TEST_CASE("most graphs are never touched", "[bag][index]") {
-  RecombinedGraphs source(desk_pieces(2), 2);
-  const IndexedBag bag = bag_of(source, 300);
-  std::size_t visited = 0;
-  for (int i = 0; i < 20; ++i) {
-    const auto place = source.place();
-    const SearchResult result = bag.view()->search(source.keyframe(place));
-    CHECK(result.exact);
-    CHECK(result.missed_score == 0.0);
-    CHECK(result.entries == 3000);
-    CHECK(result.untouched() == 3000 - result.visited);
-    visited += result.visited;
-  }
-  CHECK(visited < 20 * 3000 / 3);
-}
-
-TEST_CASE("a search on a budget bounds what it missed", "[bag][index]") {
-  RecombinedGraphs source(desk_pieces(3), 3);
-  const IndexedBag bag = bag_of(source, 60);
-  const Oracle oracle = oracle_of(bag);
-  for (int i = 0; i < 20; ++i) {
-    const Graph query = source.keyframe(source.place());
-    QueryOptions all;
-    all.max_results = bag.size();
-    std::map<KeyframeId, double> scores;
-    for (const Candidate& candidate : oracle.query(query, all)) {
-      scores.emplace(candidate.id, candidate.score);
-    }
-    for (const std::size_t budget : {0u, 1u, 20u, 100u, 300u, 600u}) {
-      const SearchResult result = bag.view()->search(query, {}, budget);
-      CHECK(result.visited <= budget);
-      CHECK(result.candidates == bag.view()->search(query, {}, budget).candidates);
-      for (const Candidate& candidate : result.candidates) {
-        CHECK(candidate.score == scores.at(candidate.id));
-      }
-      for (const Candidate& best : oracle.query(query)) {
-        const auto& found = result.candidates;
-        if (std::find(found.begin(), found.end(), best) != found.end()) continue;
-        CHECK_FALSE(result.exact);
-        CHECK(best.score <= result.missed_score);
-      }
-      CHECK(result.missed_score <= 1.0);
-      if (budget >= bag.size()) CHECK(result.exact);
-    }
-  }
-}
-
 TEST_CASE("a view and a copy stay as they were", "[bag][index]") {
   RecombinedGraphs source(desk_pieces(4), 4);
   IndexedBag bag = bag_of(source, 20);
@@ -343,55 +276,6 @@ TEST_CASE("a view and a copy stay as they were", "[bag][index]") {
 
 TEST_CASE("what an indexed bag refuses changes nothing", "[bag][index]") {
   check_refusals<IndexedBag>();
-}
-
-TEST_CASE("bags merge, and say where each key frame went", "[bag][index]") {
-  RecombinedGraphs source(desk_pieces(5), 5);
-  IndexedBag bag = bag_of(source, 20), other = bag_of(source, 1);
-  EntryInfo info;
-  info.session = 2;
-  info.T_world_camera = Eigen::Isometry3d::Identity();
-  other.add(KeyframeId{900}, source.keyframe(source.place()), info);
-  MergeOptions options;
-  options.session_offset = 10;
-  options.T_world_other = Eigen::Isometry3d(Eigen::Translation3d(1.0, 2.0, 3.0));
-  const auto ids = bag.merge(*other.view(), options);
-  CHECK(bag.size() == 211);
-  REQUIRE(ids.size() == 11);
-  for (std::uint64_t i = 0; i < 10; ++i) CHECK(ids.at(KeyframeId{i}) == KeyframeId{901 + i});
-  CHECK(ids.at(KeyframeId{900}) == KeyframeId{900});
-  for (const auto& [old_id, new_id] : ids) {
-    CHECK(encode(*bag.find(new_id)) == encode(*other.find(old_id)));
-  }
-  CHECK(bag.info(KeyframeId{900})->session == 12);
-  CHECK(bag.info(KeyframeId{901})->session == 10);
-  CHECK(bag.info(KeyframeId{900})->T_world_camera->translation() == Eigen::Vector3d(1.0, 2.0, 3.0));
-  const Oracle oracle = oracle_of(bag);
-  for (int i = 0; i < 20; ++i) {
-    const Graph query = source.keyframe(source.place());
-    CHECK(bag.query(query) == oracle.query(query));
-  }
-  bag.add(KeyframeId{std::numeric_limits<std::uint64_t>::max()}, Graph{});
-  CHECK_THROWS_AS(bag.merge(*bag.view()), InvalidValue);
-  CHECK(bag.size() == 212);
-}
-
-TEST_CASE("room comes back", "[bag][index]") {
-  RecombinedGraphs source(desk_pieces(6), 6);
-  IndexedBag bag = bag_of(source, 200);
-  const std::size_t full = bag.memory_usage().total();
-  CHECK(bag.memory_usage().graphs / bag.size() < 150);
-  for (std::uint64_t i = 0; i < 2000; ++i) {
-    if (i % 10 != 0) bag.erase(KeyframeId{i});
-  }
-  CHECK(bag.size() == 200);
-  CHECK(bag.memory_usage().total() < full / 2);
-  bag.compact();
-  CHECK(bag.memory_usage().total() < full / 3);
-  for (std::uint64_t i = 0; i < 2000; i += 10) CHECK(bag.contains(KeyframeId{i}));
-  for (std::uint64_t i = 0; i < 2000; i += 10) bag.erase(KeyframeId{i});
-  CHECK(bag.empty());
-  CHECK(bag.memory_usage().total() < 1000);
 }
 
 TEST_CASE("readers and a writer do not disturb each other", "[bag][index]") {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <limits>
+
+#include <topobag/bag/merge_options.hpp>
+
+#include "bag/desk_pieces.hpp"
+#include "bag/filled_bags.hpp"
+#include "catch.hpp"
+
+using namespace topobag;
+
+TEST_CASE("bags merge, and say where each key frame went", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(5), 5);
+  IndexedBag bag = bag_of(source, 20), other = bag_of(source, 1);
+  EntryInfo info;
+  info.session = 2;
+  info.T_world_camera = Eigen::Isometry3d::Identity();
+  other.add(KeyframeId{900}, source.keyframe(source.place()), info);
+  MergeOptions options;
+  options.session_offset = 10;
+  options.T_world_other = Eigen::Isometry3d(Eigen::Translation3d(1.0, 2.0, 3.0));
+  const auto ids = bag.merge(*other.view(), options);
+  CHECK(bag.size() == 211);
+  REQUIRE(ids.size() == 11);
+  for (std::uint64_t i = 0; i < 10; ++i) CHECK(ids.at(KeyframeId{i}) == KeyframeId{901 + i});
+  CHECK(ids.at(KeyframeId{900}) == KeyframeId{900});
+  for (const auto& [old_id, new_id] : ids) {
+    CHECK(encode(*bag.find(new_id)) == encode(*other.find(old_id)));
+  }
+  CHECK(bag.info(KeyframeId{900})->session == 12);
+  CHECK(bag.info(KeyframeId{901})->session == 10);
+  CHECK(bag.info(KeyframeId{900})->T_world_camera->translation() == Eigen::Vector3d(1.0, 2.0, 3.0));
+  const BruteForceBag oracle = brute_force_of(bag);
+  for (int i = 0; i < 20; ++i) {
+    const TopologyGraph<> query = source.keyframe(source.place());
+    CHECK(bag.query(query) == oracle.query(query));
+  }
+  bag.add(KeyframeId{std::numeric_limits<std::uint64_t>::max()}, TopologyGraph<>{});
+  CHECK_THROWS_AS(bag.merge(*bag.view()), InvalidValue);
+  CHECK(bag.size() == 212);
+}
