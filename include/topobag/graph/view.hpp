@@ -37,7 +37,8 @@ struct View {
   /// image size is unknown.
   std::optional<std::pair<Eigen::Vector2d, double>> in_field(
       const Eigen::Matrix<Scalar, 3, 1>& point, Scalar margin, Scalar max_depth) const {
-    const Eigen::Matrix<Scalar, 3, 1> in_camera = T_graph_camera.inverse() * point;
+    const Eigen::Matrix<Scalar, 3, 1> in_camera =
+        T_graph_camera.linear().transpose() * (point - T_graph_camera.translation());
     if (in_camera.z() > max_depth) return std::nullopt;
     const auto pixel = camera.project(in_camera);
     if (!pixel || !camera.in_image(*pixel, margin)) return std::nullopt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -127,7 +128,16 @@ struct ChanceModel {
   }
 
  private:
-  static double log_factorial(std::size_t n) { return std::lgamma(static_cast<double>(n) + 1.0); }
+  static double log_factorial(std::size_t n) {
+    static const std::array<double, 64> known = [] {
+      std::array<double, 64> logs{};
+      for (std::size_t i = 1; i < logs.size(); ++i) {
+        logs[i] = logs[i - 1] + std::log(static_cast<double>(i));
+      }
+      return logs;
+    }();
+    return n < known.size() ? known[n] : std::lgamma(static_cast<double>(n) + 1.0);
+  }
   static double log_choose(std::size_t n, std::size_t k) {
     return log_factorial(n) - log_factorial(k) - log_factorial(n - k);
   }

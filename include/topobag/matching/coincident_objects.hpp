@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -28,7 +29,7 @@ std::vector<Correspondence> coincident_objects(const TopologyGraph<Scalar>& cand
                                                const TopologyGraph<Scalar>& query,
                                                const RelativePose& pose,
                                                const CoincidenceOptions& options = {}) {
-  std::vector<detail::Neighbors> near;
+  std::vector<std::pair<double, Correspondence>> near;
   for (std::size_t q = 0; q < query.size(); ++q) {
     if (!query.nodes()[q].position) continue;
     for (std::size_t p = 0; p < candidate.size(); ++p) {
@@ -41,7 +42,15 @@ std::vector<Correspondence> coincident_objects(const TopologyGraph<Scalar>& cand
       }
     }
   }
-  return detail::with_closest(pose.inliers, std::move(near), candidate.size(), query.size());
+  std::sort(near.begin(), near.end());
+  std::vector<Correspondence> pairs = pose.inliers;
+  detail::OneToOne unpaired(candidate.size(), query.size());
+  for (const Correspondence& pair : pairs) unpaired.take(pair);
+  for (const auto& [deviation2, pair] : near) {
+    if (unpaired.take(pair)) pairs.push_back(pair);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 }  // namespace v0

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/detail/bit_matrix.hpp>
+#include <topobag/matching/detail/distance_table.hpp>
 #include <topobag/matching/point_pair.hpp>
+#include <topobag/types/ids.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -33,22 +33,27 @@ struct ConsistencyOptions {
 /// different nodes whose distances d(p, p') and d(q, q') are equal within the nodes' noise.
 class ConsistencyGraph {
  public:
-  /// O(a²) for a same-class pairs.
+  /// O(a² + n² + k²) for a same-class pairs of n and k nodes.
   template <typename Scalar>
   ConsistencyGraph(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
                    const ConsistencyOptions& options)
       : pairs_(offered_pairs(candidate, query, options, complete_)),
-        agreement_(pairs_.size(), pairs_.size()) {
+        agreement_(pairs_.size(), pairs_.size()),
+        candidate_distances_(candidate),
+        query_distances_(query) {
     points_.reserve(pairs_.size());
+    query_of_.reserve(pairs_.size());
     for (const Correspondence& pair : pairs_) {
       points_.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query)));
       query_of_.push_back(value(pair.query));
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const detail::Distance* p = candidate_distances_.row(value(pairs_[i].candidate));
+      const detail::Distance* q = query_distances_.row(value(pairs_[i].query));
       for (std::size_t j = i + 1; j < pairs_.size(); ++j) {
         if (pairs_[i].query == pairs_[j].query || pairs_[i].candidate == pairs_[j].candidate)
           continue;
-        if (!agree(points_[i], points_[j], options)) continue;
+        if (!agree(p[value(pairs_[j].candidate)], q[value(pairs_[j].query)], options)) continue;
         agreement_.set(i, j);
         agreement_.set(j, i);
       }
@@ -65,6 +70,15 @@ class ConsistencyGraph {
   /// Query node of each pair: two pairs of one query node never agree.
   const std::vector<std::size_t>& query_of() const noexcept { return query_of_; }
 
+  /// d(p, p') − d(q, q') of the pairs `i` and `j`, m.
+  double difference(std::size_t i, std::size_t j) const noexcept {
+    const auto length = [](const detail::DistanceTable& table, NodeIndex a, NodeIndex b) {
+      return table.row(value(a))[value(b)].length;
+    };
+    return length(candidate_distances_, pairs_[i].candidate, pairs_[j].candidate) -
+           length(query_distances_, pairs_[i].query, pairs_[j].query);
+  }
+
   /// False when `max_pairs` left pairs out.
   bool complete() const noexcept { return complete_; }
 
@@ -75,35 +89,45 @@ class ConsistencyGraph {
                                                    const ConsistencyOptions& options,
                                                    bool& complete) {
     std::vector<Correspondence> pairs;
-    std::map<ClassId, std::size_t> pairs_of_class;
+    pairs.reserve(candidate.size() + query.size());
+    std::vector<ClassId> candidate_groups;
+    candidate_groups.reserve(candidate.size());
+    for (const auto& node : candidate.nodes()) {
+      candidate_groups.push_back(options.classes.group(node.label));
+    }
     for (std::size_t q = 0; q < query.size(); ++q) {
       if (!query.nodes()[q].position) continue;
+      const ClassId group = options.classes.group(query.nodes()[q].label);
       for (std::size_t p = 0; p < candidate.size(); ++p) {
         if (!candidate.nodes()[p].position) continue;
-        if (!options.classes.compatible(candidate.nodes()[p].label, query.nodes()[q].label))
-          continue;
+        if (candidate_groups[p] != group) continue;
         if (!sizes_fit(candidate.nodes()[p], query.nodes()[q], options.max_size_ratio)) continue;
         pairs.push_back({node_index(p), node_index(q)});
-        ++pairs_of_class[query.nodes()[q].label];
       }
     }
     complete = pairs.size() <= options.max_pairs;
-    if (complete) return pairs;
+    if (!complete) leave_common_classes_out(pairs, query, options.max_pairs);
+    return pairs;
+  }
 
+  template <typename Scalar>
+  static void leave_common_classes_out(std::vector<Correspondence>& pairs,
+                                       const TopologyGraph<Scalar>& query, std::size_t max_pairs) {
+    std::map<ClassId, std::size_t> pairs_of_class;
+    for (const Correspondence& pair : pairs) ++pairs_of_class[query.node(pair.query).label];
     std::vector<std::pair<std::size_t, ClassId>> rarest;
     for (const auto& [label, count] : pairs_of_class) rarest.emplace_back(count, label);
     std::sort(rarest.begin(), rarest.end());
     std::size_t total = 0;
     for (const auto& [count, label] : rarest) {
       total += count;
-      if (total > options.max_pairs) pairs_of_class[label] = 0;
+      if (total > max_pairs) pairs_of_class[label] = 0;
     }
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
                                [&](const Correspondence& pair) {
                                  return pairs_of_class[query.node(pair.query).label] == 0;
                                }),
                 pairs.end());
-    return pairs;
   }
 
   template <typename Node>
@@ -114,23 +138,13 @@ class ConsistencyGraph {
     return std::max(size_a, size_b) <= max_ratio * std::min(size_a, size_b);
   }
 
-  static bool agree(const PointPair& i, const PointPair& j, const ConsistencyOptions& options) {
-    const Eigen::Vector3d p = i.target - j.target;
-    const Eigen::Vector3d q = i.source - j.source;
-    const double length_p = p.norm();
-    const double length_q = q.norm();
-    const double difference = std::abs(length_p - length_q);
+  static bool agree(const detail::Distance& p, const detail::Distance& q,
+                    const ConsistencyOptions& options) {
+    const double difference = std::abs(p.length - q.length);
     if (difference <= options.min_tolerance) return true;
     if (difference > options.max_tolerance) return false;
-    const double variance = variance_along(p, length_p, i.target_covariance + j.target_covariance) +
-                            variance_along(q, length_q, i.source_covariance + j.source_covariance);
-    return difference * difference <= options.deviations * options.deviations * variance;
-  }
-
-  static double variance_along(const Eigen::Vector3d& line, double length,
-                               const Eigen::Matrix3d& covariance) {
-    return length > 0.0 ? line.dot(covariance * line) / (length * length)
-                        : covariance.trace() / 3.0;
+    return difference * difference <=
+           options.deviations * options.deviations * (p.variance + q.variance);
   }
 
   bool complete_ = true;
@@ -138,6 +152,8 @@ class ConsistencyGraph {
   std::vector<PointPair> points_;
   std::vector<std::size_t> query_of_;
   detail::BitMatrix agreement_;
+  detail::DistanceTable candidate_distances_;
+  detail::DistanceTable query_distances_;
 };
 
 }  // namespace v0

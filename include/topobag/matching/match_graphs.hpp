@@ -18,6 +18,7 @@
 #include <topobag/matching/consistency_graph.hpp>
 #include <topobag/matching/detail/clique_search.hpp>
 #include <topobag/matching/detail/one_to_one.hpp>
+#include <topobag/matching/detail/point_sets.hpp>
 #include <topobag/matching/match_nodes.hpp>
 #include <topobag/matching/missing_objects.hpp>
 #include <topobag/matching/point_pair.hpp>
@@ -72,15 +73,12 @@ class PoseSearch {
   GraphMatch run() const {
     GraphMatch match;
     CliqueSearch search(graph_.agreement(), graph_.query_of());
-    std::vector<std::pair<double, std::vector<Correspondence>>>
-        hypotheses;  // rms difference, pairs
+    std::vector<std::pair<double, std::vector<std::size_t>>> hypotheses;  // rms difference, clique
     std::size_t largest = 0;
     const std::size_t steps = search.run(
         3, options_.slack, options_.max_steps, [&](const std::vector<std::size_t>& clique) {
-          std::vector<Correspondence> pairs = pairs_of(graph_, clique);
-          largest = std::max(largest, pairs.size());
-          const double rms = rms_distance_difference(candidate_, query_, pairs);
-          hypotheses.emplace_back(rms, std::move(pairs));
+          largest = std::max(largest, clique.size());
+          hypotheses.emplace_back(rms_distance_difference(graph_, clique), clique);
         });
     match.complete = graph_.complete() && steps < options_.max_steps;
     std::sort(hypotheses.begin(), hypotheses.end(), [](const auto& a, const auto& b) {
@@ -89,11 +87,14 @@ class PoseSearch {
     });
     if (hypotheses.size() > options_.max_hypotheses) hypotheses.resize(options_.max_hypotheses);
 
-    std::vector<RelativePose> poses;
-    for (const auto& [rms, pairs] : hypotheses) {
-      if (pairs.size() + options_.slack < largest) break;
-      if (auto pose = pose_of(pairs, poses)) poses.push_back(std::move(*pose));
+    std::vector<Settled> settled;
+    for (const auto& [rms, clique] : hypotheses) {
+      if (clique.size() + options_.slack < largest) break;
+      if (auto pose = settle(clique, settled)) settled.push_back(std::move(*pose));
     }
+    std::vector<RelativePose> poses;
+    poses.reserve(settled.size());
+    for (const Settled& pose : settled) poses.push_back(weigh(pose));
     // Positions are sorted, not poses: stable_sort's buffer is not aligned for AVX's matrices.
     std::vector<std::size_t> best_first(poses.size());
     std::iota(best_first.begin(), best_first.end(), std::size_t{0});
@@ -110,79 +111,91 @@ class PoseSearch {
   }
 
  private:
-  std::vector<PointPair> point_pairs(const std::vector<Correspondence>& pairs) const {
+  /// A pose and the pairs that it brings together: positions in the consistency graph, ascending.
+  struct Settled {
+    std::vector<std::size_t> pairs;
+    RefinedPose pose;
+  };
+
+  std::vector<PointPair> points_of(const std::vector<std::size_t>& pairs) const {
     std::vector<PointPair> points;
     points.reserve(pairs.size());
-    for (const Correspondence& pair : pairs) {
-      const auto at = std::lower_bound(graph_.pairs().begin(), graph_.pairs().end(), pair);
-      points.push_back(graph_.points()[static_cast<std::size_t>(at - graph_.pairs().begin())]);
-    }
+    for (const std::size_t i : pairs) points.push_back(graph_.points()[i]);
     return points;
   }
 
   /// Fits the clique, then lets every pair that the pose brings together join, and refines over all
   /// of them. Nothing when fewer than three remain, or those of a pose that is known: most cliques
   /// are parts of the same few sets.
-  std::optional<RelativePose> pose_of(const std::vector<Correspondence>& clique,
-                                      const std::vector<RelativePose>& known) const {
-    RelativePose pose;
-    pose.inliers = clique;
-    std::vector<PointPair> points = point_pairs(clique);
-    RefinedPose refined{fit(points).T_target_source, {}};
-    for (int round = 0; round < max_rounds; ++round) {
-      refined = refine_pose(refined.T_target_source, points, options_.refine);
-      std::vector<Correspondence> supporters = supporters_of(refined.T_target_source);
-      const bool is_known = std::any_of(known.begin(), known.end(), [&](const RelativePose& other) {
-        return other.inliers == supporters;
+  std::optional<Settled> settle(const std::vector<std::size_t>& clique,
+                                const std::vector<Settled>& known) const {
+    std::vector<std::size_t> pairs = clique;
+    std::vector<PointPair> points = points_of(pairs);
+    const PointSets sets(points);
+    Eigen::Isometry3d T_candidate_query =
+        fit_rigid(sets.target, sets.source, sets.weights)->T_target_source;
+    for (int round = 1;; ++round) {
+      T_candidate_query = refined_motion(T_candidate_query, points, options_.refine);
+      std::vector<std::size_t> supporters = supporters_of(T_candidate_query);
+      const bool is_known = std::any_of(known.begin(), known.end(), [&](const Settled& other) {
+        return other.pairs == supporters;
       });
       if (supporters.size() < 3 || is_known) return std::nullopt;
-      if (supporters == pose.inliers) break;
-      pose.inliers = std::move(supporters);
-      points = point_pairs(pose.inliers);
+      const bool same = supporters == pairs;
+      pairs = std::move(supporters);
+      if (same || round == max_rounds) break;
+      points = points_of(pairs);
     }
+    return Settled{
+        std::move(pairs),
+        {T_candidate_query, pose_covariance(T_candidate_query, points, options_.refine)}};
+  }
 
-    pose.T_candidate_query = refined.T_target_source;
-    pose.covariance = refined.covariance;
+  /// Works out what is to be known of a pose.
+  RelativePose weigh(const Settled& settled) const {
+    const std::vector<PointPair> points = points_of(settled.pairs);
+    RelativePose pose;
+    pose.inliers = pairs_of(graph_, settled.pairs);
+    pose.T_candidate_query = settled.pose.T_target_source;
+    pose.covariance = settled.pose.covariance;
     double squares = 0.0;
     for (const PointPair& pair : points) {
       squares += pair.residual(pose.T_candidate_query).squaredNorm();
     }
     pose.rms = std::sqrt(squares / static_cast<double>(points.size()));
-    pose.spread = fit(points).spread;
+    const PointSets sets(points);
+    pose.spread = spread_about_line(sets.source, sets.weights);
     pose.degenerate = pose.spread < options_.min_spread ||
                       pose.rotation_deviation() > options_.max_rotation_deviation;
     pose.significance = options_.chance.significance(candidate_, query_, pose.inliers, points,
-                                                     refined, options_.consistency.classes);
+                                                     settled.pose, options_.consistency.classes);
     pose.missing = options_.missing.find(candidate_, query_, pose.inliers, pose.T_candidate_query);
     for (const MissingObject& object : pose.missing) pose.missing_cost += object.cost;
     pose.viewpoint_odds = options_.viewpoint.log10_odds(pose.T_candidate_query.linear());
     return pose;
   }
 
-  static RigidFit fit(const std::vector<PointPair>& points) {
-    const auto n = static_cast<Eigen::Index>(points.size());
-    Eigen::Matrix3Xd target(3, n), source(3, n);
-    Eigen::VectorXd weights(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const PointPair& pair = points[static_cast<std::size_t>(i)];
-      target.col(i) = pair.target;
-      source.col(i) = pair.source;
-      weights(i) = 1.0 / (pair.target_covariance.trace() + pair.source_covariance.trace() + 1e-4);
-    }
-    return *fit_rigid(target, source, weights);
-  }
-
   /// One-to-one pairs that the pose brings together, the closest (in standard deviations) first.
-  std::vector<Correspondence> supporters_of(const Eigen::Isometry3d& T_candidate_query) const {
-    std::vector<Neighbors> near;
+  std::vector<std::size_t> supporters_of(const Eigen::Isometry3d& T_candidate_query) const {
+    const double max_residual2 = options_.max_residual * options_.max_residual;
     const double max_deviation2 = options_.inlier_deviations * options_.inlier_deviations;
+    std::vector<std::pair<double, std::size_t>> near;
+    near.reserve(graph_.points().size());
     for (std::size_t i = 0; i < graph_.points().size(); ++i) {
       const PointPair& points = graph_.points()[i];
-      if (points.residual(T_candidate_query).norm() > options_.max_residual) continue;
+      if (points.residual(T_candidate_query).squaredNorm() > max_residual2) continue;
       const double deviation2 = points.squared_deviation(T_candidate_query);
-      if (deviation2 <= max_deviation2) near.emplace_back(deviation2, graph_.pairs()[i]);
+      if (deviation2 <= max_deviation2) near.emplace_back(deviation2, i);
     }
-    return with_closest({}, std::move(near), candidate_.size(), query_.size());
+    std::sort(near.begin(), near.end());
+    OneToOne unpaired(candidate_.size(), query_.size());
+    std::vector<std::size_t> supporters;
+    supporters.reserve(near.size());
+    for (const auto& [deviation2, i] : near) {
+      if (unpaired.take(graph_.pairs()[i])) supporters.push_back(i);
+    }
+    std::sort(supporters.begin(), supporters.end());
+    return supporters;
   }
 
   bool distinct(const RelativePose& a, const RelativePose& b) const {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
@@ -31,24 +30,19 @@ struct NodeMatching {
 
 namespace detail {
 
-/// Root mean square of d(p, p') − d(q, q') over all pairs of `pairs`, m.
-template <typename Scalar>
-double rms_distance_difference(const TopologyGraph<Scalar>& candidate,
-                               const TopologyGraph<Scalar>& query,
-                               const std::vector<Correspondence>& pairs) {
+/// Root mean square of d(p, p') − d(q, q') over all pairs of `clique`, m.
+inline double rms_distance_difference(const ConsistencyGraph& graph,
+                                      const std::vector<std::size_t>& clique) {
+  if (clique.size() < 2) return 0.0;
   double sum = 0.0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-      const auto p = (*candidate.node(pairs[i].candidate).position -
-                      *candidate.node(pairs[j].candidate).position);
-      const auto q = (*query.node(pairs[i].query).position - *query.node(pairs[j].query).position);
-      const double difference = static_cast<double>(p.norm() - q.norm());
+  for (std::size_t i = 0; i < clique.size(); ++i) {
+    for (std::size_t j = i + 1; j < clique.size(); ++j) {
+      const double difference = graph.difference(clique[i], clique[j]);
       sum += difference * difference;
     }
   }
-  const double count =
-      0.5 * static_cast<double>(pairs.size()) * (static_cast<double>(pairs.size()) - 1.0);
-  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+  const auto n = static_cast<double>(clique.size());
+  return std::sqrt(sum / (0.5 * n * (n - 1.0)));
 }
 
 inline std::vector<Correspondence> pairs_of(const ConsistencyGraph& graph,
@@ -75,11 +69,10 @@ NodeMatching match_nodes(const TopologyGraph<Scalar>& candidate, const TopologyG
   detail::CliqueSearch search(graph.agreement(), graph.query_of());
   NodeMatching best;
   best.steps = search.run(1, 0, options.max_steps, [&](const std::vector<std::size_t>& clique) {
-    std::vector<Correspondence> pairs = detail::pairs_of(graph, clique);
-    const double rms = detail::rms_distance_difference(candidate, query, pairs);
-    if (pairs.size() > best.pairs.size() ||
-        (pairs.size() == best.pairs.size() && rms < best.rms_difference)) {
-      best.pairs = std::move(pairs);
+    const double rms = detail::rms_distance_difference(graph, clique);
+    if (clique.size() > best.pairs.size() ||
+        (clique.size() == best.pairs.size() && rms < best.rms_difference)) {
+      best.pairs = detail::pairs_of(graph, clique);
       best.rms_difference = rms;
     }
   });

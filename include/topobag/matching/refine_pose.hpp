@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <topobag/matching/detail/normal_equations.hpp>
 #include <topobag/matching/point_pair.hpp>
 
 namespace topobag {
@@ -28,44 +27,16 @@ struct RefineOptions {
 };
 
 /// Maximum-likelihood pose over all pairs, each weighted by its covariance, under a Geman–McClure
-/// kernel (Gauss–Newton, iteratively re-weighted). Its covariance is the inverse of the information
-/// at the optimum.
+/// kernel (Gauss–Newton, iteratively re-weighted).
 ///
 /// @param T_target_source  start, near the optimum
-/// Directions that the pairs leave open keep the start and get a variance of 10⁶. O(iterations ·
-/// n).
-inline RefinedPose refine_pose(Eigen::Isometry3d T_target_source,
-                               const std::vector<PointPair>& pairs,
-                               const RefineOptions& options = {}) {
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  const double width2 = options.kernel_width * options.kernel_width;
-  const auto normal_equations = [&](Matrix6& H, Vector6& g) {
-    H = Matrix6::Identity() * 1e-6;
-    g.setZero();
-    for (const PointPair& pair : pairs) {
-      const Eigen::Vector3d r = pair.residual(T_target_source);
-      Eigen::Matrix3d weight = pair.covariance(T_target_source).inverse();
-      const double bent = 1.0 + r.dot(weight * r) / width2;
-      weight /= bent * bent;
-      // The moved source point changes by (I, turn) · ξ.
-      const Eigen::Vector3d moved = T_target_source * pair.source;
-      Eigen::Matrix3d turn;
-      turn << 0.0, moved.z(), -moved.y(), -moved.z(), 0.0, moved.x(), moved.y(), -moved.x(), 0.0;
-      const Eigen::Matrix3d weighted_turn = weight * turn;
-      H.topLeftCorner<3, 3>() += weight;
-      H.topRightCorner<3, 3>() += weighted_turn;
-      H.bottomRightCorner<3, 3>() += turn.transpose() * weighted_turn;
-      g.head<3>() += weight * r;
-      g.tail<3>() += weighted_turn.transpose() * r;
-    }
-    H.bottomLeftCorner<3, 3>() = H.topRightCorner<3, 3>().transpose();
-  };
-  Matrix6 H;
-  Vector6 g;
+/// Directions that the pairs leave open keep the start. O(iterations · n).
+inline Eigen::Isometry3d refined_motion(Eigen::Isometry3d T_target_source,
+                                        const std::vector<PointPair>& pairs,
+                                        const RefineOptions& options = {}) {
   for (int i = 0; i < options.iterations; ++i) {
-    normal_equations(H, g);
-    const Vector6 step = H.llt().solve(g);
+    const Eigen::Matrix<double, 6, 1> step =
+        detail::NormalEquations(T_target_source, pairs, options.kernel_width).solution();
     const Eigen::Vector3d turn = step.tail<3>();
     const double angle = turn.norm();
     Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
@@ -74,10 +45,25 @@ inline RefinedPose refine_pose(Eigen::Isometry3d T_target_source,
     T_target_source = move * T_target_source;
     if (step.norm() < options.tolerance) break;
   }
-  normal_equations(H, g);
   T_target_source.linear() =
       Eigen::Quaterniond(T_target_source.linear()).normalized().toRotationMatrix();
-  return {T_target_source, H.llt().solve(Matrix6::Identity())};
+  return T_target_source;
+}
+
+/// The covariance of a pose over these pairs: the inverse of their information. Directions that the
+/// pairs leave open get a variance of 10⁶.
+inline Eigen::Matrix<double, 6, 6> pose_covariance(const Eigen::Isometry3d& T_target_source,
+                                                   const std::vector<PointPair>& pairs,
+                                                   const RefineOptions& options = {}) {
+  return detail::NormalEquations(T_target_source, pairs, options.kernel_width).covariance();
+}
+
+/// The refined motion and its covariance.
+inline RefinedPose refine_pose(const Eigen::Isometry3d& T_target_source,
+                               const std::vector<PointPair>& pairs,
+                               const RefineOptions& options = {}) {
+  const Eigen::Isometry3d refined = refined_motion(T_target_source, pairs, options);
+  return {refined, pose_covariance(refined, pairs, options)};
 }
 
 }  // namespace v0

@@ -19,9 +19,31 @@ inline namespace v0 {
 struct RigidFit {
   Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();  ///< source to target
   double rms = 0.0;     ///< of the weighted residuals, m
-  double spread = 0.0;  ///< r.m.s. distance of the source points from the line that fits them best,
-                        ///< m; 0 = collinear
+  double spread = 0.0;  ///< of the source points about a line, m
 };
+
+/// R.m.s. distance of points (3 × n, m) from the line that fits them best, m; 0 = collinear.
+/// @param weights  n, positive; empty = all equal
+inline double spread_about_line(const Eigen::Matrix3Xd& points,
+                                const Eigen::VectorXd& weights = {}) {
+  const auto weight = [&](Eigen::Index i) { return weights.size() == 0 ? 1.0 : weights(i); };
+  double total = 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    total += weight(i);
+    mean += weight(i) * points.col(i);
+  }
+  mean /= total;
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3d centered = points.col(i) - mean;
+    scatter += weight(i) / total * centered * centered.transpose();
+  }
+  // The two smaller principal variances are what a line leaves over.
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> variances;
+  variances.computeDirect(scatter, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, variances.eigenvalues()(0) + variances.eigenvalues()(1)));
+}
 
 /// The rotation (det = +1) and translation that carry `source` onto `target` with the least
 /// weighted squares: Umeyama, PAMI 1991, without scale; also Kabsch 1976.
@@ -48,12 +70,9 @@ inline std::optional<RigidFit> fit_rigid(const Eigen::Matrix3Xd& target,
   target_mean /= total;
   source_mean /= total;
   Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (Eigen::Index i = 0; i < source.cols(); ++i) {
-    const Eigen::Vector3d centered = source.col(i) - source_mean;
-    const Eigen::Vector3d weighted = (weight(i) / total) * centered;
-    correlation += (target.col(i) - target_mean) * weighted.transpose();
-    scatter += centered * weighted.transpose();
+    correlation += weight(i) / total * (target.col(i) - target_mean) *
+                   (source.col(i) - source_mean).transpose();
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -70,10 +89,7 @@ inline std::optional<RigidFit> fit_rigid(const Eigen::Matrix3Xd& target,
     squares += weight(i) / total * residual.squaredNorm();
   }
   fit.rms = std::sqrt(squares);
-  // The two smaller principal variances of the source points are what a line leaves over.
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> variances;
-  variances.computeDirect(scatter, Eigen::EigenvaluesOnly);
-  fit.spread = std::sqrt(std::max(0.0, variances.eigenvalues()(0) + variances.eigenvalues()(1)));
+  fit.spread = spread_about_line(source, weights);
   return fit;
 }
 

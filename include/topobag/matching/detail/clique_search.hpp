@@ -105,16 +105,17 @@ class CliqueSearch {
     return count;
   }
 
-  /// The vertex, candidate or excluded, that leaves the fewest candidates to branch on.
+  /// The vertex, candidate or excluded, that leaves the fewest candidates to branch on; the first
+  /// that leaves none is not outdone.
   std::size_t best_pivot(const BitWord* candidates, const BitWord* excluded) const noexcept {
+    const int all = common(candidates, candidates);
     std::size_t best = 0;
     int most = -1;
     for (std::size_t w = 0; w < words_; ++w) {
       for (BitWord bits = candidates[w] | excluded[w]; bits != 0; bits &= bits - 1) {
         const std::size_t v = w * 64 + lowest_bit(bits);
-        int covered = 0;
-        for (std::size_t k = 0; k < words_; ++k)
-          covered += popcount(candidates[k] & adjacency_.row(v)[k]);
+        const int covered = common(candidates, adjacency_.row(v));
+        if (covered == all) return v;
         if (covered > most) {
           most = covered;
           best = v;
@@ -122,6 +123,12 @@ class CliqueSearch {
       }
     }
     return best;
+  }
+
+  int common(const BitWord* a, const BitWord* b) const noexcept {
+    int count = 0;
+    for (std::size_t k = 0; k < words_; ++k) count += popcount(a[k] & b[k]);
+    return count;
   }
 
   const BitMatrix& adjacency_;

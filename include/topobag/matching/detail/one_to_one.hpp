@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include <topobag/matching/correspondence.hpp>
@@ -12,29 +10,23 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// Two nodes, and how far apart they are.
-using Neighbors = std::pair<double, Correspondence>;
+/// Which nodes of two graphs are in a pair already.
+class OneToOne {
+ public:
+  /// @param candidates, queries  numbers of nodes
+  OneToOne(std::size_t candidates, std::size_t queries)
+      : candidate_taken_(candidates, false), query_taken_(queries, false) {}
 
-/// Adds pairs so that no node is in two, the closest first, ties by index. Returns all, ascending.
-/// @param candidates, queries  numbers of nodes
-/// O(n log n).
-inline std::vector<Correspondence> with_closest(std::vector<Correspondence> pairs,
-                                                std::vector<Neighbors> near, std::size_t candidates,
-                                                std::size_t queries) {
-  std::vector<bool> candidate_taken(candidates, false), query_taken(queries, false);
-  const auto take = [&](const Correspondence& pair) {
-    candidate_taken[value(pair.candidate)] = query_taken[value(pair.query)] = true;
-  };
-  for (const Correspondence& pair : pairs) take(pair);
-  std::sort(near.begin(), near.end());
-  for (const auto& [distance, pair] : near) {
-    if (candidate_taken[value(pair.candidate)] || query_taken[value(pair.query)]) continue;
-    take(pair);
-    pairs.push_back(pair);
+  /// Takes both nodes of `pair`; false, and neither, when one of them is taken.
+  bool take(const Correspondence& pair) {
+    if (candidate_taken_[value(pair.candidate)] || query_taken_[value(pair.query)]) return false;
+    candidate_taken_[value(pair.candidate)] = query_taken_[value(pair.query)] = true;
+    return true;
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
+
+ private:
+  std::vector<bool> candidate_taken_, query_taken_;
+};
 
 }  // namespace detail
 }  // namespace v0

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <topobag/matching/point_pair.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// Points as `fit_rigid` takes them, each pair weighted by its mean variance.
+struct PointSets {
+  explicit PointSets(const std::vector<PointPair>& points)
+      : weights(static_cast<Eigen::Index>(points.size())) {
+    target.resize(3, weights.size());
+    source.resize(3, weights.size());
+    for (Eigen::Index i = 0; i < weights.size(); ++i) {
+      const PointPair& pair = points[static_cast<std::size_t>(i)];
+      target.col(i) = pair.target;
+      source.col(i) = pair.source;
+      weights(i) = 1.0 / (pair.target_covariance.trace() + pair.source_covariance.trace() + 1e-4);
+    }
+  }
+  Eigen::Matrix3Xd target, source;
+  Eigen::VectorXd weights;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag
