@@ -114,7 +114,8 @@ class ConsistencyGraph {
     return std::max(size_a, size_b) <= max_ratio * std::min(size_a, size_b);
   }
 
-  static bool agree(const PointPair& i, const PointPair& j, const ConsistencyOptions& options) {
+  template <typename Pair>
+  static bool agree(const Pair& i, const Pair& j, const ConsistencyOptions& options) {
     const Eigen::Vector3d p = i.target - j.target;
     const Eigen::Vector3d q = i.source - j.source;
     const double length_p = p.norm();
@@ -127,7 +128,8 @@ class ConsistencyGraph {
     return difference * difference <= options.deviations * options.deviations * variance;
   }
 
-  static double variance_along(const Eigen::Vector3d& line, double length,
+  template <typename Line>
+  static double variance_along(const Eigen::MatrixBase<Line>& line, double length,
                                const Eigen::Matrix3d& covariance) {
     return length > 0.0 ? line.dot(covariance * line) / (length * length)
                         : covariance.trace() / 3.0;

@@ -32,18 +32,19 @@ struct RefineOptions {
 /// at the optimum.
 ///
 /// @param T_target_source  start, near the optimum
+/// @param pairs            a range of `PointPair`
 /// Directions that the pairs leave open keep the start and get a variance of 10⁶. O(iterations ·
 /// n).
-inline RefinedPose refine_pose(Eigen::Isometry3d T_target_source,
-                               const std::vector<PointPair>& pairs,
-                               const RefineOptions& options = {}) {
+template <typename Pairs = std::vector<PointPair>>
+RefinedPose refine_pose(Eigen::Isometry3d T_target_source, const Pairs& pairs,
+                        const RefineOptions& options = {}) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   const double width2 = options.kernel_width * options.kernel_width;
   const auto normal_equations = [&](Matrix6& H, Vector6& g) {
     H = Matrix6::Identity() * 1e-6;
     g.setZero();
-    for (const PointPair& pair : pairs) {
+    for (const auto& pair : pairs) {
       const Eigen::Vector3d r = pair.residual(T_target_source);
       Eigen::Matrix3d weight = pair.covariance(T_target_source).inverse();
       const double bent = 1.0 + r.dot(weight * r) / width2;

@@ -26,13 +26,15 @@ struct RigidFit {
 /// The rotation (det = +1) and translation that carry `source` onto `target` with the least
 /// weighted squares: Umeyama, PAMI 1991, without scale; also Kabsch 1976.
 ///
-/// @param target,source  3 × n, m, column i of one belongs to column i of the other
+/// @param target,source  matrices of double, 3 × n, m, column i of one belongs to column i of the
+///                       other
 /// @param weights        n, positive; empty = all equal
 /// Nothing for n < 1. Of collinear points the rotation about their line is arbitrary: see `spread`.
 /// O(n).
-inline std::optional<RigidFit> fit_rigid(const Eigen::Matrix3Xd& target,
-                                         const Eigen::Matrix3Xd& source,
-                                         const Eigen::VectorXd& weights = {}) {
+template <typename Target, typename Source>
+std::optional<RigidFit> fit_rigid(const Eigen::MatrixBase<Target>& target,
+                                  const Eigen::MatrixBase<Source>& source,
+                                  const Eigen::VectorXd& weights = {}) {
   TOPOBAG_ASSERT(target.cols() == source.cols());
   TOPOBAG_ASSERT(weights.size() == 0 || weights.size() == source.cols());
   if (source.cols() < 1) return std::nullopt;
