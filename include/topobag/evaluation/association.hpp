@@ -17,7 +17,7 @@ struct PosePair {
 
 /// Pairs every estimate with the ground truth interpolated at its stamp, where both neighbours of
 /// the ground truth are less than `max_gap_s` away; other estimates have no pair. O(m log n).
-/// @param groundtruth,estimate  each a `Trajectory`, or other sorted `StampedPose` with random access
+/// @param groundtruth,estimate  each a `Trajectory`, or other sorted `StampedPose`, random access
 template <typename TruePoses = Trajectory, typename EstimatedPoses = Trajectory>
 std::vector<PosePair> associate(const TruePoses& groundtruth, const EstimatedPoses& estimate,
                                 double max_gap_s = 0.5,

@@ -63,7 +63,7 @@ double correct_time(const Pairs& pairs, const std::vector<bool>& correct, double
 
 /// CR, tracking CR, CS-R, ATE and AOE of one sequence against a non-empty ground truth, both in the
 /// same world after `alignment`.
-/// @param groundtruth,estimate  each a `Trajectory`, or other sorted `StampedPose` with random access
+/// @param groundtruth,estimate  each a `Trajectory`, or other sorted `StampedPose`, random access
 template <typename TruePoses = Trajectory, typename EstimatedPoses = Trajectory>
 SequenceScore score_sequence(const TruePoses& groundtruth, const EstimatedPoses& estimate,
                              const Alignment& alignment, const LifelongRules& rules) {
