@@ -31,8 +31,13 @@ struct EntryInfo;
 struct QueryOptions;
 template <typename Graph, typename Similarity>
 class BagOfTopologyGraphs;
-class BagView;
-class IndexedBag;
+struct ClassPairDistanceHistogram;
+template <typename Similarity>
+class BasicBagView;
+using BagView = BasicBagView<ClassPairDistanceHistogram>;
+template <typename Similarity>
+class BasicIndexedBag;
+using IndexedBag = BasicIndexedBag<ClassPairDistanceHistogram>;
 struct Recognition;
 class Calibration;
 struct Explanation;

@@ -83,3 +83,20 @@ TEST_CASE("exclusions are about one trajectory", "[evaluation]") {
   CHECK_THROWS_AS(PlaceTruth(protocol, {}, {}), InvalidValue);
   CHECK_THROWS_AS(PlaceTruth(PlaceProtocol{}, Trajectory{}), InvalidValue);
 }
+
+TEST_CASE("poses kept as float say nearly the same", "[evaluation]") {
+  std::mt19937 random(11);
+  const Trajectory places = topobag_tests::random_trajectory(random, 10);
+  PlaceProtocol protocol;
+  protocol.covisibility = 0.3;
+  protocol.frustum = DepthFrustum{{525.0, 525.0, 319.5, 239.5, 640, 480}, 0.4, 4.0};
+  const PlaceTruth truth(protocol, places);
+  const BasicPlaceTruth<float> kept(protocol, places);
+  for (std::size_t i = 1; i < 10; ++i) {
+    CHECK(kept.relation(0, i) == truth.relation(0, i));
+    const PoseError error = pose_error(truth.T_candidate_query(0, i),
+                                       kept.T_candidate_query(0, i).cast<double>());
+    CHECK(error.translation_m < 1e-4);
+    CHECK(error.rotation_deg < 1e-3);
+  }
+}

@@ -23,13 +23,14 @@ inline namespace v0 {
 
 /// An `IndexedBag` as it was at one moment: the handle for readers. Never changes, whatever becomes
 /// of the bag, and may be read from any number of threads.
-class BagView {
+template <typename Similarity_ = ClassPairDistanceHistogram>
+class BasicBagView {
  public:
   using Graph = TopologyGraph<double>;
-  using Similarity = ClassPairDistanceHistogram;
+  using Similarity = Similarity_;
 
   /// For `IndexedBag`, which makes views.
-  BagView(std::shared_ptr<const Similarity> similarity, detail::BagParts parts)
+  BasicBagView(std::shared_ptr<const Similarity> similarity, detail::BagParts parts)
       : similarity_(std::move(similarity)), parts_(std::move(parts)) {}
 
   std::size_t size() const noexcept { return parts_.live; }
@@ -67,7 +68,7 @@ class BagView {
       nothing.entries = size();
       return nothing;
     }
-    return detail::BagSearch(parts_, *similarity_, graph, options, max_visited).run();
+    return detail::BagSearch<Similarity>(parts_, *similarity_, graph, options, max_visited).run();
   }
 
   /// Calls `visit(KeyframeId, const EntryInfo&, const Graph&)` for every entry by rising id.
@@ -106,7 +107,8 @@ class BagView {
   const Similarity& similarity() const noexcept { return *similarity_; }
 
  private:
-  friend class IndexedBag;
+  template <typename>
+  friend class BasicIndexedBag;
 
   Graph graph_at(detail::EntryPlace place) const {
     const detail::StoredEntry entry = parts_.entry(place);
@@ -116,6 +118,9 @@ class BagView {
   std::shared_ptr<const Similarity> similarity_;
   detail::BagParts parts_;
 };
+
+/// The view of an `IndexedBag`.
+using BagView = BasicBagView<>;
 
 }  // namespace v0
 }  // namespace topobag

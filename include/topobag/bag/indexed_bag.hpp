@@ -31,24 +31,27 @@ inline namespace v0 {
 /// One thread at a time may call what is not const; any number may take a `view()` meanwhile, and
 /// read it as long as they like. The const calls below ask such a view. After a call has thrown,
 /// the bag is as it was.
-class IndexedBag {
+template <typename Similarity_ = ClassPairDistanceHistogram>
+class BasicIndexedBag {
  public:
-  using Graph = BagView::Graph;
-  using Similarity = BagView::Similarity;
+  using Similarity = Similarity_;
+  using View = BasicBagView<Similarity>;
+  using Graph = typename View::Graph;
 
   /// @param views  whether the cameras that looked for the nodes are kept with the graphs
-  explicit IndexedBag(Similarity similarity = {}, ViewSection views = ViewSection::kept)
+  explicit BasicIndexedBag(Similarity similarity = {}, ViewSection views = ViewSection::kept)
       : similarity_(std::make_shared<const Similarity>(std::move(similarity))), views_(views) {
     publish({});
   }
   /// O(1): the copies share what neither changes.
-  IndexedBag(const IndexedBag& other) : similarity_(other.similarity_), views_(other.views_) {
+  BasicIndexedBag(const BasicIndexedBag& other)
+      : similarity_(other.similarity_), views_(other.views_) {
     detail::BagParts parts = other.view()->parts_;
     if (parts.head) parts.head = std::make_shared<detail::HeadBlock>(*parts.head);
     publish(std::move(parts));
   }
-  IndexedBag& operator=(const IndexedBag& other) {
-    IndexedBag copy(other);
+  BasicIndexedBag& operator=(const BasicIndexedBag& other) {
+    BasicIndexedBag copy(other);
     similarity_ = copy.similarity_;
     views_ = copy.views_;
     publish(copy.parts());
@@ -56,7 +59,7 @@ class IndexedBag {
   }
 
   /// The bag as it is now. Thread-safe; O(1).
-  std::shared_ptr<const BagView> view() const {
+  std::shared_ptr<const View> view() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return view_;
   }
@@ -102,11 +105,11 @@ class IndexedBag {
   /// Adds all entries of another bag. Ids that are free are kept; the others become the numbers
   /// after the greatest of both bags, in their order. Returns where each id went. Throws
   /// InvalidValue when the ids run out or a pose becomes infinite. O(n log n).
-  std::map<KeyframeId, KeyframeId> merge(const BagView& other, const MergeOptions& options = {}) {
+  std::map<KeyframeId, KeyframeId> merge(const View& other, const MergeOptions& options = {}) {
     const detail::BagParts& theirs = other.parts_;
     std::map<KeyframeId, KeyframeId> new_ids = free_ids(theirs);
     detail::BagParts next = sealed(parts());
-    detail::PartBuilder builder(*similarity_);
+    detail::PartBuilder<Similarity> builder(*similarity_);
     theirs.for_each([&](detail::EntryPlace place) {
       const detail::StoredEntry entry = theirs.entry(place);
       EntryInfo info = theirs.info(place);
@@ -127,7 +130,7 @@ class IndexedBag {
 
   /// Gives back all room of what is gone and makes the index as good as it gets. O(n).
   void compact() {
-    detail::PartBuilder builder(*similarity_);
+    detail::PartBuilder<Similarity> builder(*similarity_);
     const detail::BagParts old = parts();
     old.for_each([&](detail::EntryPlace place) { builder.add(old, place); });
     detail::BagParts next;
@@ -155,7 +158,7 @@ class IndexedBag {
   const detail::BagParts& parts() const { return view_->parts_; }
 
   void publish(detail::BagParts parts) {
-    auto next = std::make_shared<const BagView>(similarity_, std::move(parts));
+    auto next = std::make_shared<const View>(similarity_, std::move(parts));
     const std::lock_guard<std::mutex> lock(mutex_);
     view_.swap(next);  // the old one goes when the lock is free again
   }
@@ -193,7 +196,7 @@ class IndexedBag {
     if (part.live() == 0) {
       parts->erase(parts->begin() + static_cast<std::ptrdiff_t>(place.part));
     } else if (2 * part.dead->size() > part.segment->size()) {
-      part = detail::merged({part}, 1, *similarity_);
+      part = detail::merged<Similarity>({part}, 1, *similarity_);
     }
     next.sealed = std::move(parts);
   }
@@ -201,7 +204,7 @@ class IndexedBag {
   /// The same entries with an empty head.
   detail::BagParts sealed(detail::BagParts parts) const {
     auto segments = std::make_shared<detail::BagParts::Sealed>(*parts.sealed);
-    detail::PartBuilder builder(*similarity_);
+    detail::PartBuilder<Similarity> builder(*similarity_);
     for (std::size_t slot = 0; slot < parts.head_size; ++slot) {
       if (!parts.dead_in_head[slot]) builder.add(parts, {segments->size(), slot});
     }
@@ -242,8 +245,11 @@ class IndexedBag {
   ViewSection views_;
   detail::NodeScan scan_;  ///< the writer's
   mutable std::mutex mutex_;
-  std::shared_ptr<const BagView> view_;  ///< replaced under `mutex_`
+  std::shared_ptr<const View> view_;  ///< replaced under `mutex_`
 };
+
+/// The bag for the default similarity.
+using IndexedBag = BasicIndexedBag<>;
 
 }  // namespace v0
 }  // namespace topobag

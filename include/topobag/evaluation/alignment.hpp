@@ -17,7 +17,8 @@ struct Alignment {
   double scale = 1.0;                                      ///< > 0
 
   /// A body's pose in the target's world: the position is transformed, the rotation turned.
-  Eigen::Isometry3d operator*(const Eigen::Isometry3d& pose) const {
+  template <int Mode, int Options>
+  Eigen::Isometry3d operator*(const Eigen::Transform<double, 3, Mode, Options>& pose) const {
     Eigen::Isometry3d aligned = Eigen::Isometry3d::Identity();
     aligned.linear() = rotation * pose.linear();
     aligned.translation() = scale * (rotation * pose.translation()) + translation;
@@ -35,15 +36,16 @@ enum class AlignmentModel {
 /// The least-squares alignment of the estimated onto the true positions. Where they do not
 /// determine a rotation (fewer than three, or on a line) it is one of the best; where they do
 /// not determine a scale it is 1, and without a pair the alignment is the identity. O(n).
-inline Alignment align(const std::vector<PosePair>& pairs,
-                       AlignmentModel model = AlignmentModel::se3) {
+/// @param pairs  a vector of `PosePair`
+template <typename Pairs = std::vector<PosePair>>
+Alignment align(const Pairs& pairs, AlignmentModel model = AlignmentModel::se3) {
   Alignment alignment;
   if (pairs.empty() || model == AlignmentModel::none) return alignment;
   const auto n = static_cast<Eigen::Index>(pairs.size());
   Eigen::Matrix3Xd estimated(3, n);
   Eigen::Matrix3Xd truth(3, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const PosePair& pair = pairs[static_cast<std::size_t>(i)];
+    const auto& pair = pairs[static_cast<std::size_t>(i)];
     estimated.col(i) = pair.T_estimate.translation();
     truth.col(i) = pair.T_true.translation();
   }
@@ -62,8 +64,10 @@ inline Alignment align(const std::vector<PosePair>& pairs,
 }
 
 /// The pairs with the estimates brought into the ground truth's world.
-inline std::vector<PosePair> aligned(std::vector<PosePair> pairs, const Alignment& alignment) {
-  for (PosePair& pair : pairs) pair.T_estimate = alignment * pair.T_estimate;
+/// @param pairs  a range of `PosePair`
+template <typename Pairs = std::vector<PosePair>>
+Pairs aligned(Pairs pairs, const Alignment& alignment) {
+  for (auto& pair : pairs) pair.T_estimate = alignment * pair.T_estimate;
   return pairs;
 }
 

@@ -17,12 +17,14 @@ struct PosePair {
 
 /// Pairs every estimate with the ground truth interpolated at its stamp, where both neighbours of
 /// the ground truth are less than `max_gap_s` away; other estimates have no pair. O(m log n).
-inline std::vector<PosePair> associate(const Trajectory& groundtruth, const Trajectory& estimate,
-                                       double max_gap_s = 0.5,
-                                       RotationInterpolation rule = RotationInterpolation::slerp) {
+/// @param groundtruth,estimate  each a `Trajectory`, or other sorted `StampedPose`, random access
+template <typename TruePoses = Trajectory, typename EstimatedPoses = Trajectory>
+std::vector<PosePair> associate(const TruePoses& groundtruth, const EstimatedPoses& estimate,
+                                double max_gap_s = 0.5,
+                                RotationInterpolation rule = RotationInterpolation::slerp) {
   std::vector<PosePair> pairs;
   pairs.reserve(estimate.size());
-  for (const StampedPose& pose : estimate) {
+  for (const auto& pose : estimate) {
     if (const auto truth = pose_at(groundtruth, pose.stamp_s, max_gap_s, rule)) {
       pairs.push_back({pose.stamp_s, *truth, pose.T_world_body});
     }

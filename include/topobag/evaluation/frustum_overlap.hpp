@@ -35,7 +35,8 @@ namespace detail {
 inline constexpr int frustum_grid = 8;  // samples along u, v and depth
 
 /// The share of a's sample points that b sees.
-inline double seen_share(const DepthFrustum& frustum, const Eigen::Isometry3d& T_b_a) {
+template <typename Pose>
+double seen_share(const DepthFrustum& frustum, const Pose& T_b_a) {
   int seen = 0;
   for (int k = 0; k < frustum_grid; ++k) {
     const auto centre = [](int i) { return (i + 0.5) / frustum_grid; };
@@ -59,7 +60,9 @@ inline double seen_share(const DepthFrustum& frustum, const Eigen::Isometry3d& T
 /// Covisibility of two equal depth cameras, in [0, 1]: the share of the points of a regular grid
 /// over one frustum (8 × 8 pixels × 8 depths) that lies in the other, the smaller of both ways.
 /// Walls are not known and hide nothing. Symmetric; O(1).
-inline double frustum_overlap(const DepthFrustum& frustum, const Eigen::Isometry3d& T_a_b) {
+/// @param T_a_b  an `Eigen::Isometry3d`
+template <typename Pose>
+double frustum_overlap(const DepthFrustum& frustum, const Pose& T_a_b) {
   const PinholeCamera<double>& camera = frustum.camera;
   const auto reach = [&](double u, double v) {
     return camera.back_project(Eigen::Vector2d(u, v), frustum.far_m).norm();

@@ -14,7 +14,9 @@ inline namespace v0 {
 /// Reads the KITTI odometry format: the 12 numbers of a row-major 3×4 matrix [R | t] per line. The
 /// format has no time, so stamps are 0, 1, 2, …; see `read_kitti_times`. Rotations within 0.01 of
 /// orthonormal are normalised. Throws Error with `name` and the line for anything else.
-inline Trajectory read_kitti(std::istream& stream, const std::string& name) {
+/// @param stream  a `std::istream`
+template <typename Stream>
+Trajectory read_kitti(Stream& stream, const std::string& name) {
   detail::TextLines lines(stream, name);
   Trajectory trajectory;
   std::string_view line;
@@ -32,15 +34,18 @@ inline Trajectory read_kitti(std::istream& stream, const std::string& name) {
 }
 
 /// The same from a file.
-inline Trajectory read_kitti(const std::string& path) {
+/// @param path  a `std::string`, or what else converts to one
+template <typename Path = std::string>
+Trajectory read_kitti(const Path& path) {
   std::ifstream file = detail::open_file(path);
   return read_kitti(file, path);
 }
 
 /// Gives a KITTI trajectory the stamps of its `times.txt`, one number of seconds per line. Throws
 /// Error, and leaves the trajectory alone, when the numbers differ or a stamp does not increase.
-inline void read_kitti_times(std::istream& stream, const std::string& name,
-                             Trajectory& trajectory) {
+/// @param stream  a `std::istream`
+template <typename Stream>
+void read_kitti_times(Stream& stream, const std::string& name, Trajectory& trajectory) {
   detail::TextLines lines(stream, name);
   std::vector<double> stamps;
   std::string_view line;

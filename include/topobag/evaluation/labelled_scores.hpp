@@ -62,10 +62,10 @@ inline void add(PairTotals& totals, bool positive) {
 }
 
 /// Stable, so that equal scores keep the order of query and candidate.
-inline void sort_falling(std::vector<LabelledScore>& scores) {
-  std::stable_sort(
-      scores.begin(), scores.end(),
-      [](const LabelledScore& a, const LabelledScore& b) { return a.score > b.score; });
+template <typename Scores>
+void sort_falling(Scores& scores) {
+  std::stable_sort(scores.begin(), scores.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
 }
 
 }  // namespace detail
@@ -73,7 +73,10 @@ inline void sort_falling(std::vector<LabelledScore>& scores) {
 /// Labels a score for every pair. Excluded and ignored pairs are left out, whatever their score.
 /// Throws InvalidValue when the matrix has another size than the truth or the score of an evaluated
 /// pair is not finite. O(n log n) in the number of pairs.
-inline LabelledScores label_scores(const ScoreMatrix& scores, const PlaceTruth& truth) {
+/// @param truth  a `PlaceTruth`, or what else has `num_queries()`, `num_candidates()` and
+///               `relation(query, candidate)`
+template <typename Truth>
+LabelledScores label_scores(const ScoreMatrix& scores, const Truth& truth) {
   const auto rows = static_cast<std::size_t>(scores.rows());
   const auto columns = static_cast<std::size_t>(scores.cols());
   if (rows != truth.num_queries() || columns != truth.num_candidates()) {
@@ -104,7 +107,9 @@ inline LabelledScores label_scores(const ScoreMatrix& scores, const PlaceTruth& 
 /// every score. Excluded and ignored pairs of the list are left out. Throws, with the index in the
 /// list, InvalidId for a pair outside the truth and InvalidValue for a score that is not finite,
 /// and InvalidId for a pair that is there twice. O(queries · candidates + n log n).
-inline LabelledScores label_scores(std::vector<ScoredPair> pairs, const PlaceTruth& truth) {
+/// @param truth  as above
+template <typename Truth>
+LabelledScores label_scores(std::vector<ScoredPair> pairs, const Truth& truth) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (pairs[i].query >= truth.num_queries() || pairs[i].candidate >= truth.num_candidates()) {
       throw InvalidId("query " + std::to_string(pairs[i].query) + " or candidate " +

@@ -48,8 +48,9 @@ namespace detail {
 
 /// For how long the sequence was tracked correctly, s: every correct pose counts until the next
 /// matched pose, at most Δ_max.
-inline double correct_time(const std::vector<PosePair>& pairs, const std::vector<bool>& correct,
-                           double end_s, double max_pose_interval_s) {
+template <typename Pairs>
+double correct_time(const Pairs& pairs, const std::vector<bool>& correct, double end_s,
+                    double max_pose_interval_s) {
   double sum = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double next = i + 1 < pairs.size() ? pairs[i + 1].stamp_s : end_s;
@@ -62,8 +63,10 @@ inline double correct_time(const std::vector<PosePair>& pairs, const std::vector
 
 /// CR, tracking CR, CS-R, ATE and AOE of one sequence against a non-empty ground truth, both in the
 /// same world after `alignment`.
-inline SequenceScore score_sequence(const Trajectory& groundtruth, const Trajectory& estimate,
-                                    const Alignment& alignment, const LifelongRules& rules) {
+/// @param groundtruth,estimate  each a `Trajectory`, or other sorted `StampedPose`, random access
+template <typename TruePoses = Trajectory, typename EstimatedPoses = Trajectory>
+SequenceScore score_sequence(const TruePoses& groundtruth, const EstimatedPoses& estimate,
+                             const Alignment& alignment, const LifelongRules& rules) {
   TOPOBAG_ASSERT(!groundtruth.empty());
   SequenceScore score;
   score.poses = estimate.size();
@@ -99,9 +102,12 @@ inline SequenceScore score_sequence(const Trajectory& groundtruth, const Traject
 /// Scores of every estimated sequence by number. The alignment is estimated on the lowest-numbered
 /// one only and applied to all: a lifelong system has to know where it is in its first map. Without
 /// a match there it is the identity. Throws Error when a sequence has no ground truth.
-inline std::map<int, SequenceScore> score_lifelong(const std::map<int, Trajectory>& groundtruth,
-                                                   const std::map<int, Trajectory>& estimates,
-                                                   const LifelongRules& rules = {}) {
+/// @param groundtruth,estimates  each a `std::map<int, Trajectory>`, or what is looked up like one
+template <typename TrueSequences = std::map<int, Trajectory>,
+          typename EstimatedSequences = std::map<int, Trajectory>>
+std::map<int, SequenceScore> score_lifelong(const TrueSequences& groundtruth,
+                                            const EstimatedSequences& estimates,
+                                            const LifelongRules& rules = {}) {
   for (const auto& [number, estimate] : estimates) {
     const auto truth = groundtruth.find(number);
     if (truth == groundtruth.end() || truth->second.empty()) {

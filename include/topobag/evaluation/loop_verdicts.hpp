@@ -34,9 +34,10 @@ struct LoopVerdicts {
 };
 
 /// The verdict on the relative pose that a method gives a pair.
-inline PoseVerdict judge_loop(const PlaceTruth& truth, std::size_t query, std::size_t candidate,
-                              const Eigen::Isometry3d& T_candidate_query,
-                              const PoseLimits& limits = {}) {
+/// @param truth  a `PlaceTruth`, or what else has `T_candidate_query(query, candidate)`
+template <typename Truth>
+PoseVerdict judge_loop(const Truth& truth, std::size_t query, std::size_t candidate,
+                       const Eigen::Isometry3d& T_candidate_query, const PoseLimits& limits = {}) {
   return judge(pose_error(truth.T_candidate_query(query, candidate), T_candidate_query), limits);
 }
 

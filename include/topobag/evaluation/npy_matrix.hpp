@@ -36,7 +36,8 @@ inline std::string_view npy_value(std::string_view dictionary, const std::string
   return trimmed(dictionary.substr(colon + 1));
 }
 
-inline NpyHeader read_npy_header(std::istream& stream, const std::string& name) {
+template <typename Stream>
+NpyHeader read_npy_header(Stream& stream, const std::string& name) {
   const auto refuse = [&](const char* why) { throw Error(name + " " + why); };
   std::array<unsigned char, 12> start{};
   const auto read = [&](std::size_t from, std::size_t count) {
@@ -103,7 +104,9 @@ ScoreMatrix npy_numbers(const NpyHeader& header, const std::vector<char>& bytes)
 /// Reads a matrix from NumPy's .npy format, versions 1 to 3, row or column order: little-endian
 /// float32/64, signed and unsigned integers, bool. Throws Error for anything else, a short file or
 /// bytes left over. The machine is little-endian.
-inline ScoreMatrix read_npy(std::istream& stream, const std::string& name) {
+/// @param stream  a `std::istream`
+template <typename Stream>
+ScoreMatrix read_npy(Stream& stream, const std::string& name) {
   const detail::NpyHeader header = detail::read_npy_header(stream, name);
   const auto load = [&](auto number) {
     using Number = decltype(number);
@@ -143,7 +146,9 @@ inline ScoreMatrix read_npy(std::istream& stream, const std::string& name) {
 }
 
 /// The same from a file.
-inline ScoreMatrix read_npy(const std::string& path) {
+/// @param path  a `std::string`, or what else converts to one
+template <typename Path = std::string>
+ScoreMatrix read_npy(const Path& path) {
   std::ifstream file = detail::open_file(path);
   return read_npy(file, path);
 }

@@ -34,8 +34,10 @@ enum class RepeatedPoses {
 /// qx qy qz qw` or `stamp another-stamp tx …`. Stamps may come in any order in this format and are
 /// sorted. Throws Error with `name` and the line for anything else, for a sequence that starts
 /// twice and for two poses of one sequence at the same time.
-inline LifelongTrajectories read_openloris(std::istream& stream, const std::string& name,
-                                           RepeatedPoses repeated = RepeatedPoses::drop) {
+/// @param stream  a `std::istream`
+template <typename Stream>
+LifelongTrajectories read_openloris(Stream& stream, const std::string& name,
+                                    RepeatedPoses repeated = RepeatedPoses::drop) {
   detail::TextLines lines(stream, name);
   LifelongTrajectories file;
   Trajectory* sequence = nullptr;
@@ -83,15 +85,19 @@ inline LifelongTrajectories read_openloris(std::istream& stream, const std::stri
 }
 
 /// The same from a file.
-inline LifelongTrajectories read_openloris(const std::string& path,
-                                           RepeatedPoses repeated = RepeatedPoses::drop) {
+/// @param path  a `std::string`, or what else converts to one
+template <typename Path = std::string>
+LifelongTrajectories read_openloris(const Path& path,
+                                    RepeatedPoses repeated = RepeatedPoses::drop) {
   std::ifstream file = detail::open_file(path);
   return read_openloris(file, path, repeated);
 }
 
 /// T_base_frame of a sensor of the OpenLORIS-Scene robot, as the data set publishes it: the ground
 /// truth is of `base_link`, the systems' results are of a sensor. Nothing for an unknown frame.
-inline std::optional<Eigen::Isometry3d> openloris_T_base_frame(std::string_view frame) {
+/// @param frame  a `std::string_view`, or what else compares with a string
+template <typename Text = std::string_view>
+std::optional<Eigen::Isometry3d> openloris_T_base_frame(const Text& frame) {
   const auto pose = [](double tx, double ty, double tz, double qx, double qy, double qz,
                        double qw) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();

@@ -17,18 +17,23 @@ namespace topobag {
 inline namespace v0 {
 
 /// Which pairs of key frames show the same place: a protocol over true camera poses.
-class PlaceTruth {
+/// @tparam Scalar_  that the poses are kept in
+template <typename Scalar_ = double>
+class BasicPlaceTruth {
  public:
+  using Scalar = Scalar_;
+  using Pose = Eigen::Transform<Scalar, 3, Eigen::Isometry>;
+
   /// Loops within one trajectory: every key frame is a query and a candidate. The pair of a key
   /// frame with itself is excluded, and the protocol's exclusions hold. Throws InvalidValue.
-  PlaceTruth(const PlaceProtocol& protocol, const Trajectory& places)
+  BasicPlaceTruth(const PlaceProtocol& protocol, const Trajectory& places)
       : protocol_(protocol), queries_(rows(places)), map_(queries_), one_trajectory_(true) {
     protocol_.validate();
   }
 
   /// Re-localization of `queries` in the map of another trajectory, in the same world. The
   /// protocol's exclusions are about one trajectory: throws InvalidValue when it has any.
-  PlaceTruth(const PlaceProtocol& protocol, const Trajectory& queries, const Trajectory& map)
+  BasicPlaceTruth(const PlaceProtocol& protocol, const Trajectory& queries, const Trajectory& map)
       : protocol_(protocol), queries_(rows(queries)), map_(rows(map)), one_trajectory_(false) {
     protocol_.validate();
     if (protocol.exclude_seconds > 0.0 || protocol.exclude_frames > 0 || protocol.past_only) {
@@ -59,34 +64,35 @@ class PlaceTruth {
       if (protocol_.past_only && candidate > query) return PairRelation::excluded;
     }
     if (protocol_.covisibility) {
-      return relation_by_covisibility(
-          protocol_, frustum_overlap(*protocol_.frustum, T_candidate_query(query, candidate)));
+      const Eigen::Isometry3d T = T_candidate_query(query, candidate).template cast<double>();
+      return relation_by_covisibility(protocol_, frustum_overlap(*protocol_.frustum, T));
     }
-    return relation_by_distance(protocol_, (q.position - c.position).norm(), [&] {
+    const auto distance_m = static_cast<double>((q.position - c.position).norm());
+    return relation_by_distance(protocol_, distance_m, [&] {
       return rotation_angle_deg(c.orientation.conjugate() * q.orientation);
     });
   }
 
   /// The true relative pose of a pair.
-  Eigen::Isometry3d T_candidate_query(std::size_t query, std::size_t candidate) const {
+  Pose T_candidate_query(std::size_t query, std::size_t candidate) const {
     return map_[candidate].pose().inverse(Eigen::Isometry) * queries_[query].pose();
   }
 
  private:
   struct Row {
     double stamp_s;
-    Eigen::Vector3d position;
-    Eigen::Quaterniond orientation;
+    Eigen::Matrix<Scalar, 3, 1> position;
+    Eigen::Quaternion<Scalar> orientation;
 
-    Eigen::Isometry3d pose() const { return Eigen::Translation3d(position) * orientation; }
+    Pose pose() const { return Eigen::Translation<Scalar, 3>(position) * orientation; }
   };
 
   static std::vector<Row> rows(const Trajectory& trajectory) {
     std::vector<Row> rows;
     rows.reserve(trajectory.size());
     for (const StampedPose& pose : trajectory) {
-      rows.push_back({pose.stamp_s, pose.T_world_body.translation(),
-                      Eigen::Quaterniond(pose.T_world_body.linear())});
+      const auto T = pose.T_world_body.template cast<Scalar>();
+      rows.push_back({pose.stamp_s, T.translation(), Eigen::Quaternion<Scalar>(T.linear())});
     }
     return rows;
   }
@@ -96,6 +102,8 @@ class PlaceTruth {
   std::vector<Row> map_;
   bool one_trajectory_;
 };
+
+using PlaceTruth = BasicPlaceTruth<>;
 
 }  // namespace v0
 }  // namespace topobag

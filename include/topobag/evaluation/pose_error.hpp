@@ -16,13 +16,17 @@ inline constexpr double degrees_per_radian = 57.295779513082320876798;
 
 /// The angle of a rotation, degrees in [0, 180]. Exact near 0 and near 180, where the arccos of the
 /// trace loses half of the digits.
-inline double rotation_angle_deg(const Eigen::Quaterniond& rotation) {
-  return 2.0 * std::atan2(rotation.vec().norm(), std::abs(rotation.w())) * degrees_per_radian;
+template <typename Derived>
+double rotation_angle_deg(const Eigen::QuaternionBase<Derived>& rotation) {
+  const auto sine = static_cast<double>(rotation.vec().norm());
+  const auto cosine = static_cast<double>(std::abs(rotation.w()));
+  return 2.0 * std::atan2(sine, cosine) * degrees_per_radian;
 }
 
 /// The same of a rotation matrix.
-inline double rotation_angle_deg(const Eigen::Matrix3d& rotation) {
-  return rotation_angle_deg(Eigen::Quaterniond(rotation));
+template <typename Derived>
+double rotation_angle_deg(const Eigen::MatrixBase<Derived>& rotation) {
+  return rotation_angle_deg(Eigen::Quaternion<typename Derived::Scalar>(rotation));
 }
 
 /// How far an estimated pose is from the true one: the size of E = T_true⁻¹ · T_estimate.
@@ -31,8 +35,10 @@ struct PoseError {
   double rotation_deg = 0.0;   ///< angle of R(E), degrees in [0, 180]
 };
 
-/// The error of `T_estimate` against `T_true`; both map the same source frame to the same target.
-inline PoseError pose_error(const Eigen::Isometry3d& T_true, const Eigen::Isometry3d& T_estimate) {
+/// The error of `T_estimate` against `T_true`, each an `Eigen::Isometry3d`; both map the same
+/// source frame to the same target.
+template <typename TruePose, typename EstimatedPose>
+PoseError pose_error(const TruePose& T_true, const EstimatedPose& T_estimate) {
   const Eigen::Isometry3d error = T_true.inverse(Eigen::Isometry) * T_estimate;
   return {error.translation().norm(), rotation_angle_deg(error.linear())};
 }

@@ -25,7 +25,8 @@ struct RelativeStep {
 namespace detail {
 
 /// Where each pair lies on the step's axis; non-decreasing.
-inline std::vector<double> step_axis(const std::vector<PosePair>& pairs, RelativeStep::Unit unit) {
+template <typename Pairs>
+std::vector<double> step_axis(const Pairs& pairs, RelativeStep::Unit unit) {
   std::vector<double> axis;
   axis.reserve(pairs.size());
   double path_m = 0.0;
@@ -46,8 +47,9 @@ inline std::vector<double> step_axis(const std::vector<PosePair>& pairs, Relativ
 /// Q true, P estimated and j the pose whose distance from i is nearest to Δ, the earlier of two;
 /// a pose without such a j within the tolerance starts no step. Needs no alignment, but its scale
 /// counts. Throws InvalidValue for a step that is not finite and positive. O(n log n).
-inline std::vector<PoseError> relative_pose_errors(const std::vector<PosePair>& pairs,
-                                                   const RelativeStep& step = {}) {
+/// @param pairs  a vector of `PosePair`
+template <typename Pairs = std::vector<PosePair>>
+std::vector<PoseError> relative_pose_errors(const Pairs& pairs, const RelativeStep& step = {}) {
   if (!(std::isfinite(step.length) && step.length > 0.0 && step.tolerance >= 0.0)) {
     throw InvalidValue("a relative step needs a finite length > 0 and a tolerance >= 0");
   }

@@ -23,7 +23,8 @@ struct ScoreList {
 
 namespace detail {
 
-inline ScoreMatrix read_score_rows(TextLines& lines, std::string_view line) {
+template <typename Lines>
+ScoreMatrix read_score_rows(Lines& lines, std::string_view line) {
   std::vector<double> all;
   std::vector<double> row;
   std::size_t columns = 0;
@@ -41,7 +42,8 @@ inline ScoreMatrix read_score_rows(TextLines& lines, std::string_view line) {
   return Eigen::Map<const ScoreMatrix>(all.data(), rows, static_cast<Eigen::Index>(columns));
 }
 
-inline std::uint32_t index_of(const TextLines& lines, double value) {
+template <typename Lines>
+std::uint32_t index_of(const Lines& lines, double value) {
   if (!(value >= 0.0 && value <= 4294967295.0) ||
       value != static_cast<double>(static_cast<std::uint32_t>(value))) {
     lines.fail("query and candidate are row numbers of the poses, from 0.");
@@ -49,7 +51,8 @@ inline std::uint32_t index_of(const TextLines& lines, double value) {
   return static_cast<std::uint32_t>(value);
 }
 
-inline ScoreList read_score_pairs(TextLines& lines, bool with_poses) {
+template <typename Lines>
+ScoreList read_score_pairs(Lines& lines, bool with_poses) {
   ScoreList list;
   std::vector<double> row;
   std::string_view line;
@@ -73,8 +76,9 @@ inline ScoreList read_score_pairs(TextLines& lines, bool with_poses) {
 /// their poses are; with `query,candidate,score,tx,ty,tz,qx,qy,qz,qw` the list also gives
 /// T_candidate_query, m. `#` starts a comment line. Throws Error with `name` and the line for
 /// anything else. About 0.5 s for four million scores.
-inline std::variant<ScoreMatrix, ScoreList> read_score_csv(std::istream& stream,
-                                                           const std::string& name) {
+/// @param stream  a `std::istream`
+template <typename Stream>
+std::variant<ScoreMatrix, ScoreList> read_score_csv(Stream& stream, const std::string& name) {
   detail::TextLines lines(stream, name);
   std::string_view line;
   if (!lines.next(line)) throw Error(name + " holds no scores.");
@@ -91,7 +95,9 @@ inline std::variant<ScoreMatrix, ScoreList> read_score_csv(std::istream& stream,
 }
 
 /// The same from a file.
-inline std::variant<ScoreMatrix, ScoreList> read_score_csv(const std::string& path) {
+/// @param path  a `std::string`, or what else converts to one
+template <typename Path = std::string>
+std::variant<ScoreMatrix, ScoreList> read_score_csv(const Path& path) {
   std::ifstream file = detail::open_file(path);
   return read_score_csv(file, path);
 }

@@ -36,15 +36,17 @@ enum class RotationInterpolation {
 namespace detail {
 
 /// The sign that makes the largest component positive.
-inline Eigen::Quaterniond with_canonical_sign(const Eigen::Quaterniond& q) {
+template <typename Derived>
+Eigen::Quaterniond with_canonical_sign(const Eigen::QuaternionBase<Derived>& q) {
   Eigen::Index largest = 0;
   q.coeffs().cwiseAbs().maxCoeff(&largest);
   return Eigen::Quaterniond(q.coeffs()[largest] < 0.0 ? Eigen::Vector4d(-q.coeffs()) : q.coeffs());
 }
 
 /// `RotationInterpolation::openloris`, at `alpha` of the way.
-inline Eigen::Quaterniond openloris_slerp(const Eigen::Quaterniond& from,
-                                          const Eigen::Quaterniond& to, double alpha) {
+template <typename From, typename To>
+Eigen::Quaterniond openloris_slerp(const Eigen::QuaternionBase<From>& from,
+                                   const Eigen::QuaternionBase<To>& to, double alpha) {
   const Eigen::Quaterniond a = with_canonical_sign(from);
   Eigen::Quaterniond b = with_canonical_sign(to);
   double inner = a.vec().dot(b.vec()) + b.w() * b.w();
@@ -66,9 +68,10 @@ inline Eigen::Quaterniond openloris_slerp(const Eigen::Quaterniond& from,
 }  // namespace detail
 
 /// The pose at `alpha` of the way from `a` to `b`, the position linear.
-inline Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
-                                     double alpha,
-                                     RotationInterpolation rule = RotationInterpolation::slerp) {
+/// @param a,b  each an `Eigen::Isometry3d`
+template <typename PoseA, typename PoseB>
+Eigen::Isometry3d interpolate(const PoseA& a, const PoseB& b, double alpha,
+                              RotationInterpolation rule = RotationInterpolation::slerp) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = (1.0 - alpha) * a.translation() + alpha * b.translation();
   const Eigen::Quaterniond from(a.linear());
@@ -82,8 +85,10 @@ inline Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Is
 
 /// The pose at a time between two poses that are each less than `max_gap_s` away from it; nothing
 /// outside the trajectory or in a larger gap. O(log n).
-inline std::optional<Eigen::Isometry3d> pose_at(
-    const Trajectory& trajectory, double stamp_s, double max_gap_s,
+/// @param trajectory  a `Trajectory`, or other sorted `StampedPose` with random access
+template <typename Poses = Trajectory>
+std::optional<Eigen::Isometry3d> pose_at(
+    const Poses& trajectory, double stamp_s, double max_gap_s,
     RotationInterpolation rule = RotationInterpolation::slerp) {
   const auto after =
       std::lower_bound(trajectory.begin(), trajectory.end(), stamp_s,
@@ -99,8 +104,10 @@ inline std::optional<Eigen::Isometry3d> pose_at(
 }
 
 /// The trajectory of another frame that is fixed to the body: every pose times `T_body_frame`.
-inline Trajectory in_frame(Trajectory trajectory, const Eigen::Isometry3d& T_body_frame) {
-  for (StampedPose& pose : trajectory) pose.T_world_body = pose.T_world_body * T_body_frame;
+/// @param trajectory  a `Trajectory`, or another range of `StampedPose`
+template <typename Poses = Trajectory>
+Poses in_frame(Poses trajectory, const Eigen::Isometry3d& T_body_frame) {
+  for (auto& pose : trajectory) pose.T_world_body = pose.T_world_body * T_body_frame;
   return trajectory;
 }
 

@@ -46,10 +46,12 @@ inline std::optional<ErrorStatistics> error_statistics(std::vector<double> error
 
 /// The error of every pair. Of aligned pairs these are the absolute errors of the trajectory: the
 /// translation is the ATE's e_k = ‖p̂_k − p_k‖, the rotation the AOE's angle of R_trueᵀ R_estimate.
-inline std::vector<PoseError> pose_errors(const std::vector<PosePair>& pairs) {
+/// @param pairs  a vector of `PosePair`
+template <typename Pairs = std::vector<PosePair>>
+std::vector<PoseError> pose_errors(const Pairs& pairs) {
   std::vector<PoseError> errors;
   errors.reserve(pairs.size());
-  for (const PosePair& pair : pairs) errors.push_back(pose_error(pair.T_true, pair.T_estimate));
+  for (const auto& pair : pairs) errors.push_back(pose_error(pair.T_true, pair.T_estimate));
   return errors;
 }
 

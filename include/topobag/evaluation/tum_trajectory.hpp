@@ -17,7 +17,9 @@ inline namespace v0 {
 /// Reads the TUM format: `timestamp tx ty tz qx qy qz qw` per line, seconds and metres, separated
 /// by blanks, `#` comments. Quaternions within 0.01 of unit length are normalised. Throws Error
 /// with `name` and the line for anything else, and for stamps that do not increase.
-inline Trajectory read_tum(std::istream& stream, const std::string& name) {
+/// @param stream  a `std::istream`
+template <typename Stream>
+Trajectory read_tum(Stream& stream, const std::string& name) {
   detail::TextLines lines(stream, name);
   Trajectory trajectory;
   std::string_view line;
@@ -39,15 +41,19 @@ inline Trajectory read_tum(std::istream& stream, const std::string& name) {
 }
 
 /// The same from a file.
-inline Trajectory read_tum(const std::string& path) {
+/// @param path  a `std::string`, or what else converts to one
+template <typename Path = std::string>
+Trajectory read_tum(const Path& path) {
   std::ifstream file = detail::open_file(path);
   return read_tum(file, path);
 }
 
 /// Writes the TUM format so that reading it back gives the same stamps and positions bit for bit,
 /// whatever the locale.
-inline void write_tum(std::ostream& stream, const Trajectory& trajectory) {
-  for (const StampedPose& pose : trajectory) {
+/// @param trajectory  a `Trajectory`, or another range of `StampedPose`
+template <typename Poses = Trajectory>
+void write_tum(std::ostream& stream, const Poses& trajectory) {
+  for (const auto& pose : trajectory) {
     const Eigen::Vector3d t = pose.T_world_body.translation();
     const Eigen::Quaterniond q(pose.T_world_body.linear());
     const double numbers[] = {pose.stamp_s, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};

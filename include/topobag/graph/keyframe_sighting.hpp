@@ -34,12 +34,12 @@ struct SightingOptions {
 /// half the image is a room and hides nothing.
 ///
 /// @param stamp       s
-/// @param detections  as `range_detections` gives them
+/// @param detections  a vector of `RangedDetection`, as `range_detections` gives them
 /// @param camera      of the image the boxes are in, with its size
 /// Throws as `lift_detections`. O(n log n + duplicates).
-inline KeyframeSighting sight_keyframe(double stamp, std::vector<RangedDetection> detections,
-                                       const PinholeCamera<>& camera, const ClassCatalog& catalog,
-                                       const SightingOptions& options = {}) {
+template <typename Detections = std::vector<RangedDetection>>
+KeyframeSighting sight_keyframe(double stamp, Detections detections, const PinholeCamera<>& camera,
+                                const ClassCatalog& catalog, const SightingOptions& options = {}) {
   if (detections.size() > options.max_detections) {
     const auto rank = [](const RangedDetection& d) {
       return std::isfinite(d.confidence) ? d.confidence : -1.0;

@@ -85,11 +85,13 @@ struct ChanceModel {
   }
 
   /// log10 P(places of the query objects | pose unknown, same place) / P(places | chance).
-  double log10_bayes_factor(const std::vector<PointPair>& points, const RefinedPose& pose) const {
+  /// @param points  a range of `PointPair`
+  template <typename Points = std::vector<PointPair>>
+  double log10_bayes_factor(const Points& points, const RefinedPose& pose) const {
     const double log_two_pi = 1.8378770664093453;
     const double log_volume = std::log(fill) + 3.0 * std::log(std::max(min_extent, extent(points)));
     double log_factor = 0.0;
-    for (const PointPair& pair : points) {
+    for (const auto& pair : points) {
       const Eigen::Matrix3d covariance = pair.covariance(pose.T_target_source);
       const double deviation2 = pair.squared_deviation(pose.T_target_source);
       log_factor +=
@@ -147,12 +149,13 @@ struct ChanceModel {
   }
 
   /// Twice the root mean square distance of the targets from their centroid, m.
-  static double extent(const std::vector<PointPair>& points) {
+  template <typename Points>
+  static double extent(const Points& points) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const PointPair& pair : points) mean += pair.target;
+    for (const auto& pair : points) mean += pair.target;
     mean /= static_cast<double>(points.size());
     double squares = 0.0;
-    for (const PointPair& pair : points) squares += (pair.target - mean).squaredNorm();
+    for (const auto& pair : points) squares += (pair.target - mean).squaredNorm();
     return 2.0 * std::sqrt(squares / static_cast<double>(points.size()));
   }
 };

@@ -73,8 +73,9 @@ struct ConsistencySimilarity {
     return result;
   }
 
-  double similarity(const Descriptor& p, const Descriptor& q) const {
-    const auto all_of = [](const Descriptor& d) { return std::tie(d.objects, d.unplaced); };
+  template <typename Described = Descriptor>
+  double similarity(const Described& p, const Described& q) const {
+    const auto all_of = [](const Described& d) { return std::tie(d.objects, d.unplaced); };
     if (all_of(q) < all_of(p)) return similarity(q, p);
     const std::size_t larger = std::max(size_of(p), size_of(q));
     if (larger == 0) return 0.0;
@@ -94,7 +95,8 @@ struct ConsistencySimilarity {
  private:
   static std::size_t size_of(const Descriptor& d) { return d.objects.size() + d.unplaced.size(); }
 
-  static Object key_of(const SemanticNode<double>& node) {
+  template <typename Node>
+  static Object key_of(const Node& node) {
     Object object{node.label, {}};
     auto& numbers = std::get<1>(object);
     Eigen::Map<Eigen::Vector3d>(numbers.data()) = *node.position;
@@ -103,7 +105,8 @@ struct ConsistencySimilarity {
     return object;
   }
 
-  double agreement(const TopologyGraph<double>& p, const TopologyGraph<double>& q,
+  template <typename Graph>
+  double agreement(const Graph& p, const Graph& q,
                    const std::vector<Correspondence>& pairs) const {
     if (pairs.size() < 2) return 1.0;
     double sum = 0.0;
@@ -118,7 +121,8 @@ struct ConsistencySimilarity {
     return sum / static_cast<double>(count);
   }
 
-  static double distance(const TopologyGraph<double>& graph, NodeIndex a, NodeIndex b) {
+  template <typename Graph>
+  static double distance(const Graph& graph, NodeIndex a, NodeIndex b) {
     return (*graph.node(a).position - *graph.node(b).position).norm();
   }
 

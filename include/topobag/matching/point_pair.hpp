@@ -19,18 +19,22 @@ struct PointPair {
   Eigen::Matrix3d source_covariance;  ///< m², source frame
 
   /// Target less moved source, m.
-  Eigen::Vector3d residual(const Eigen::Isometry3d& T_target_source) const {
+  /// @param T_target_source  an `Eigen::Isometry3d`, here and below
+  template <typename Pose>
+  Eigen::Vector3d residual(const Pose& T_target_source) const {
     return target - T_target_source * source;
   }
 
   /// Of the residual.
-  Eigen::Matrix3d covariance(const Eigen::Isometry3d& T_target_source) const {
+  template <typename Pose>
+  Eigen::Matrix3d covariance(const Pose& T_target_source) const {
     const Eigen::Matrix3d R = T_target_source.linear();
     return target_covariance + R * source_covariance * R.transpose();
   }
 
   /// Squared Mahalanobis length of the residual: χ² with three degrees of freedom for a true pair.
-  double squared_deviation(const Eigen::Isometry3d& T_target_source) const {
+  template <typename Pose>
+  double squared_deviation(const Pose& T_target_source) const {
     const Eigen::Vector3d r = residual(T_target_source);
     return r.dot(covariance(T_target_source).inverse() * r);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
@@ -30,20 +31,22 @@ struct RefineOptions {
 /// kernel (Gauss–Newton, iteratively re-weighted).
 ///
 /// @param T_target_source  start, near the optimum
+/// @param pairs            a range of `PointPair`, here and below
 /// Directions that the pairs leave open keep the start. O(iterations · n).
-inline Eigen::Isometry3d refined_motion(Eigen::Isometry3d T_target_source,
-                                        const std::vector<PointPair>& pairs,
-                                        const RefineOptions& options = {}) {
+template <typename Pairs = std::vector<PointPair>>
+Eigen::Isometry3d refined_motion(Eigen::Isometry3d T_target_source, const Pairs& pairs,
+                                 const RefineOptions& options = {}) {
   for (int i = 0; i < options.iterations; ++i) {
-    const Eigen::Matrix<double, 6, 1> step =
-        detail::NormalEquations(T_target_source, pairs, options.kernel_width).solution();
-    const Eigen::Vector3d turn = step.tail<3>();
-    const double angle = turn.norm();
+    const auto step =
+        detail::NormalEquations<double>(T_target_source, pairs, options.kernel_width).solution();
+    const double angle = step.rotation.norm();
     Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
-    if (angle > 0.0) move.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-    move.translation() = step.head<3>();
+    if (angle > 0.0) {
+      move.linear() = Eigen::AngleAxisd(angle, step.rotation / angle).toRotationMatrix();
+    }
+    move.translation() = step.translation;
     T_target_source = move * T_target_source;
-    if (step.norm() < options.tolerance) break;
+    if (std::hypot(step.translation.norm(), angle) < options.tolerance) break;
   }
   T_target_source.linear() =
       Eigen::Quaterniond(T_target_source.linear()).normalized().toRotationMatrix();
@@ -52,16 +55,16 @@ inline Eigen::Isometry3d refined_motion(Eigen::Isometry3d T_target_source,
 
 /// The covariance of a pose over these pairs: the inverse of their information. Directions that the
 /// pairs leave open get a variance of 10⁶.
-inline Eigen::Matrix<double, 6, 6> pose_covariance(const Eigen::Isometry3d& T_target_source,
-                                                   const std::vector<PointPair>& pairs,
-                                                   const RefineOptions& options = {}) {
-  return detail::NormalEquations(T_target_source, pairs, options.kernel_width).covariance();
+template <typename Pairs = std::vector<PointPair>>
+Eigen::Matrix<double, 6, 6> pose_covariance(const Eigen::Isometry3d& T_target_source,
+                                            const Pairs& pairs, const RefineOptions& options = {}) {
+  return detail::NormalEquations<double>(T_target_source, pairs, options.kernel_width).covariance();
 }
 
 /// The refined motion and its covariance.
-inline RefinedPose refine_pose(const Eigen::Isometry3d& T_target_source,
-                               const std::vector<PointPair>& pairs,
-                               const RefineOptions& options = {}) {
+template <typename Pairs = std::vector<PointPair>>
+RefinedPose refine_pose(const Eigen::Isometry3d& T_target_source, const Pairs& pairs,
+                        const RefineOptions& options = {}) {
   const Eigen::Isometry3d refined = refined_motion(T_target_source, pairs, options);
   return {refined, pose_covariance(refined, pairs, options)};
 }

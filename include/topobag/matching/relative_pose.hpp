@@ -40,9 +40,11 @@ struct RelativePose {
   double viewpoint_odds = 0.0;
 
   /// Standard deviation of the rotation about its least certain axis, rad.
+  /// @tparam Solver  of the eigenvalues, with `computeDirect`
+  template <typename Solver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>>
   double rotation_deviation() const {
     const Eigen::Matrix3d rotation = covariance.bottomRightCorner<3, 3>();
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    Solver solver;
     solver.computeDirect(rotation, Eigen::EigenvaluesOnly);
     return std::sqrt(std::max(0.0, solver.eigenvalues()(2)));
   }

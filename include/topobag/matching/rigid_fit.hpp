@@ -22,10 +22,11 @@ struct RigidFit {
   double spread = 0.0;  ///< of the source points about a line, m
 };
 
-/// R.m.s. distance of points (3 × n, m) from the line that fits them best, m; 0 = collinear.
+/// R.m.s. distance of points (3 × n, double, m) from the line that fits them best, m; 0 = collinear.
 /// @param weights  n, positive; empty = all equal
-inline double spread_about_line(const Eigen::Matrix3Xd& points,
-                                const Eigen::VectorXd& weights = {}) {
+template <typename Points>
+double spread_about_line(const Eigen::MatrixBase<Points>& points,
+                         const Eigen::VectorXd& weights = {}) {
   const auto weight = [&](Eigen::Index i) { return weights.size() == 0 ? 1.0 : weights(i); };
   double total = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -48,13 +49,15 @@ inline double spread_about_line(const Eigen::Matrix3Xd& points,
 /// The rotation (det = +1) and translation that carry `source` onto `target` with the least
 /// weighted squares: Umeyama, PAMI 1991, without scale; also Kabsch 1976.
 ///
-/// @param target,source  3 × n, m, column i of one belongs to column i of the other
+/// @param target,source  matrices of double, 3 × n, m, column i of one belongs to column i of the
+///                       other
 /// @param weights        n, positive; empty = all equal
 /// Nothing for n < 1. Of collinear points the rotation about their line is arbitrary: see `spread`.
 /// O(n).
-inline std::optional<RigidFit> fit_rigid(const Eigen::Matrix3Xd& target,
-                                         const Eigen::Matrix3Xd& source,
-                                         const Eigen::VectorXd& weights = {}) {
+template <typename Target, typename Source>
+std::optional<RigidFit> fit_rigid(const Eigen::MatrixBase<Target>& target,
+                                  const Eigen::MatrixBase<Source>& source,
+                                  const Eigen::VectorXd& weights = {}) {
   TOPOBAG_ASSERT(target.cols() == source.cols());
   TOPOBAG_ASSERT(weights.size() == 0 || weights.size() == source.cols());
   if (source.cols() < 1) return std::nullopt;

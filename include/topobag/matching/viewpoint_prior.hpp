@@ -22,7 +22,9 @@ struct ViewpointPrior {
   double deviation = 0.4;  ///< rad, about each axis
 
   /// log10 of the density of the rotation under a true match over that under chance.
-  double log10_odds(const Eigen::Matrix3d& R) const {
+  /// @param R  a rotation matrix
+  template <typename Derived>
+  double log10_odds(const Eigen::MatrixBase<Derived>& R) const {
     if (!(share > 0.0)) return 0.0;
     const double two_pi = 6.283185307179586;
     const double turns = Eigen::AngleAxisd(R).angle() / deviation;

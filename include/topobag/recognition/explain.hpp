@@ -24,14 +24,14 @@ inline std::string class_name(const ClassCatalog& catalog, ClassId label) {
 }
 
 /// The stages in the order of `judge_candidate`; `best_margin` is the accepted candidate's.
-inline std::vector<ExplainedStage> stages_of(const CandidateReport& report,
-                                             const RecognitionOptions& options,
-                                             std::optional<double> best_margin) {
+template <typename Report>
+std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOptions& options,
+                                      std::optional<double> best_margin) {
   const double agreeing = report.pose ? static_cast<double>(report.pose->inliers.size()) : 0.0;
   std::vector<ExplainedStage> stages{
       {"objects that agree", report.pose.has_value(), agreeing, 3.0, true, {}}};
   if (!report.pose) return stages;
-  const RelativePose& pose = *report.pose;
+  const auto& pose = *report.pose;
   const MatchOptions& matching = options.matching;
   const double deviation = pose.rotation_deviation();
   stages.push_back({"spread off a line", pose.spread >= matching.min_spread, pose.spread,
@@ -42,7 +42,7 @@ inline std::vector<ExplainedStage> stages_of(const CandidateReport& report,
   const double min_lead = options.decision.min_lead;
   const RelativePose* nearest = nullptr;  // of the other poses: a rival, or the best supported
   bool rival = false;
-  for (const RelativePose& other : report.other_poses) {
+  for (const auto& other : report.other_poses) {
     const bool is_one = is_rival(other, pose, min_lead);
     if (!is_one && (rival || other.degenerate)) continue;
     if (nearest && is_one == rival && nearest->support() >= other.support()) continue;

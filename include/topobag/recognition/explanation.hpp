@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iomanip>
 #include <ios>
 #include <optional>
 #include <sstream>
@@ -88,10 +87,13 @@ struct Explanation {
 /// In lines, for a log.
 inline std::string to_string(const CandidateExplanation& candidate) {
   std::ostringstream out;
-  out << std::fixed << std::setprecision(2) << "key frame " << value(candidate.id) << ": "
-      << to_string(candidate.verdict) << " (similarity " << candidate.similarity;
-  if (candidate.confidence) out << ", P(true) " << std::setprecision(4) << *candidate.confidence;
-  out << ")\n" << std::setprecision(2);
+  out.precision(2);
+  out << std::fixed << "key frame " << value(candidate.id) << ": " << to_string(candidate.verdict)
+      << " (similarity " << candidate.similarity;
+  out.precision(4);
+  if (candidate.confidence) out << ", P(true) " << *candidate.confidence;
+  out.precision(2);
+  out << ")\n";
   for (const ExplainedStage& stage : candidate.stages) {
     out << "  " << (stage.passed ? "passed" : "failed") << "  " << stage.name << ": " << stage.value
         << stage.unit << " of " << (stage.at_least ? "at least " : "at most ") << stage.asked

@@ -25,10 +25,11 @@ struct PlaceScale {
 /// between the two cameras, a candidate that passed every stage gets
 /// ½ (1 + s / (1 + s)) · exp(−½ (t / translation)² − ½ (θ / rotation)²), any other ¼ of its
 /// similarity.
-inline double place_score(const CandidateReport& report, const PlaceScale& scale = {}) {
+template <typename Report = CandidateReport>
+double place_score(const Report& report, const PlaceScale& scale = {}) {
   const bool verified = report.verdict == Verdict::accepted || report.verdict == Verdict::outdone;
   if (!verified) return 0.25 * report.similarity;
-  const Eigen::Isometry3d& T = report.pose->T_candidate_query;
+  const auto& T = report.pose->T_candidate_query;
   const double t = T.translation().norm() / scale.translation;
   const double turn = Eigen::AngleAxisd(T.linear()).angle() / scale.rotation;
   const double s = std::max(0.0, report.pose->score());

@@ -40,11 +40,13 @@ class TemporalConsistency {
       : options_(options), same_place_(std::move(same_place)) {}
 
   /// Takes what was said of the next key frame.
+  /// @param recognition         a `Recognition`
   /// @param T_previous_current  the front end's motion from this key frame's camera to the one's
   /// before; ignored for the first
   /// @param T_world_candidate   the matched key frame's pose in the map, where it has one
   /// @return whether there is a match and enough before it agree
-  bool add(const Recognition& recognition,
+  template <typename Answer = Recognition>
+  bool add(const Answer& recognition,
            const std::optional<Eigen::Isometry3d>& T_previous_current = std::nullopt,
            const std::optional<Eigen::Isometry3d>& T_world_candidate = std::nullopt) {
     if (last_) {
@@ -81,7 +83,8 @@ class TemporalConsistency {
     std::optional<Eigen::Isometry3d> T_world_candidate;
   };
 
-  bool agree(const Match& before, const Match& now) const {
+  template <typename Matched>
+  bool agree(const Matched& before, const Matched& now) const {
     const bool one_frame = before.id == now.id;
     if (T_last_current_ && (one_frame || (before.T_world_candidate && now.T_world_candidate))) {
       const Eigen::Isometry3d T_before_now =

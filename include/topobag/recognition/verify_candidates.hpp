@@ -23,7 +23,7 @@ inline namespace v0 {
 
 /// When a match is believed. One set for all data; see the README for how it was chosen.
 struct DecisionOptions {
-  double min_score = 0.5;  ///< −log10 of the odds that chance made the match
+  double min_score = 0.45;  ///< −log10 of the odds that chance made the match
   double min_lead = 1.0;   ///< in support, over every other distinct pose in the same candidate
 
   std::optional<Calibration> calibration{};  ///< with it, in place of `min_score`,
@@ -38,7 +38,8 @@ struct DecisionOptions {
 namespace detail {
 
 /// Whether `pose` lies within the 95 % region of a pose that the matched objects leave open.
-inline bool within_uncertainty(const RelativePose& open, const RelativePose& pose) {
+template <typename Pose>
+bool within_uncertainty(const Pose& open, const Pose& pose) {
   const double chi2_95 = 12.5916;  // of six degrees of freedom
   const Eigen::Isometry3d between = pose.T_candidate_query * open.T_candidate_query.inverse();
   const Eigen::AngleAxisd turn(between.linear());
@@ -50,26 +51,29 @@ inline bool within_uncertainty(const RelativePose& open, const RelativePose& pos
 /// Whether another pose of the candidate keeps `pose` from being believed: it fits about as well. A
 /// degenerate pose is no answer itself, but says that the answer is elsewhere if it fits better and
 /// does not leave `pose` open.
-inline bool is_rival(const RelativePose& other, const RelativePose& pose, double min_lead) {
+template <typename Pose>
+bool is_rival(const Pose& other, const Pose& pose, double min_lead) {
   if (!other.degenerate) return other.support() > pose.support() - min_lead;
   return other.score() > pose.score() && !within_uncertainty(other, pose);
 }
 
 /// Puts the best pose first that is not degenerate, if it reaches the threshold.
-inline void prefer_determined(std::vector<RelativePose>& poses, double threshold) {
-  const auto determined = std::find_if(poses.begin(), poses.end(),
-                                       [](const RelativePose& pose) { return !pose.degenerate; });
+template <typename Pose>
+void prefer_determined(std::vector<Pose>& poses, double threshold) {
+  const auto determined =
+      std::find_if(poses.begin(), poses.end(), [](const Pose& pose) { return !pose.degenerate; });
   if (determined == poses.end() || determined->score() < threshold) return;
   std::rotate(poses.begin(), determined, determined + 1);
 }
 
-inline Verdict judge_candidate(const CandidateReport& report, const DecisionOptions& options) {
+template <typename Report>
+Verdict judge_candidate(const Report& report, const DecisionOptions& options) {
   if (!report.pose) return Verdict::no_agreement;
   if (report.pose->degenerate) return Verdict::degenerate;
   if (report.margin() < 0.0) return Verdict::chance;
   const bool ambiguous = std::any_of(
       report.other_poses.begin(), report.other_poses.end(),
-      [&](const RelativePose& other) { return is_rival(other, *report.pose, options.min_lead); });
+      [&](const auto& other) { return is_rival(other, *report.pose, options.min_lead); });
   return ambiguous ? Verdict::ambiguous : Verdict::accepted;
 }
 

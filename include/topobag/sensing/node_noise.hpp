@@ -28,9 +28,10 @@ struct NodeNoise {
 
   /// Covariance (3 × 3, m²) of a position in the camera frame.
   /// @param position   m, camera frame, not the origin
-  /// @param size       extent parallel to the image, m
+  /// @param size       extent parallel to the image, m: two numbers of any Eigen expression
   /// @param truncated  whether the box touches the image border
-  Eigen::Matrix3d covariance(const Eigen::Vector3d& position, const Eigen::Vector2d& size,
+  template <typename Size = Eigen::Vector2d>
+  Eigen::Matrix3d covariance(const Eigen::Vector3d& position, const Size& size,
                              bool truncated) const {
     const double extent = std::sqrt(std::max(0.0, size.x() * size.y()));
     const double z2 = position.z() * position.z();

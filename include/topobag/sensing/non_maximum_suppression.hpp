@@ -11,12 +11,13 @@ inline namespace v0 {
 
 /// Drops every detection that overlaps a more confident one of its class by more than `max_iou`.
 /// Most confident first, ties in the order given. O(n · kept).
-inline std::vector<Detection> suppress_non_maxima(std::vector<Detection> detections,
-                                                  double max_iou) {
+/// @param detections  a vector of `Detection`
+template <typename Detections = std::vector<Detection>>
+Detections suppress_non_maxima(Detections detections, double max_iou) {
   std::stable_sort(
       detections.begin(), detections.end(),
       [](const Detection& a, const Detection& b) { return a.confidence > b.confidence; });
-  std::vector<Detection> kept;
+  Detections kept;
   for (const Detection& detection : detections) {
     const bool suppressed = std::any_of(kept.begin(), kept.end(), [&](const Detection& better) {
       return better.label == detection.label &&

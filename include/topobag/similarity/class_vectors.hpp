@@ -24,7 +24,9 @@ class ClassVectors {
  public:
   /// Sets the vector of a class. Throws InvalidValue unless all of it is finite and not all is
   /// zero. Classes without a vector stay one-hot, at right angles to every other.
-  void set(ClassId label, const Eigen::VectorXd& vector) {
+  /// @param vector  any Eigen vector of double
+  template <typename Derived>
+  void set(ClassId label, const Eigen::MatrixBase<Derived>& vector) {
     if (!vector.allFinite() || vector.isZero(0.0)) {
       throw InvalidValue("the vector of class " + std::to_string(value(label)) +
                          " has to be finite and not zero");

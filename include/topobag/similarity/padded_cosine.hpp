@@ -65,15 +65,16 @@ struct PaddedCosine {
     return descriptor;
   }
 
-  double similarity(const Descriptor& p, const Descriptor& q) const {
+  template <typename Described = Descriptor>
+  double similarity(const Described& p, const Described& q) const {
     const std::size_t common = std::min(p.rows.size(), q.rows.size());
     if (common == 0) return 0.0;
     double sum = 0.0;
     if (row_order == RowOrder::assignment) {
       // The smaller descriptor goes first: the rounding does not depend on the arguments' order.
       const bool in_order = std::tie(p.labels, p.rows) <= std::tie(q.labels, q.rows);
-      const Descriptor& a = in_order ? p : q;
-      const Descriptor& b = in_order ? q : p;
+      const Described& a = in_order ? p : q;
+      const Described& b = in_order ? q : p;
       sum = detail::assigned_gain(a.labels, b.labels, [&](std::size_t i, std::size_t j) {
         return std::max(0.0, cosine(a.rows[i], b.rows[j]));
       });
@@ -90,13 +91,17 @@ struct PaddedCosine {
 
  private:
   /// Zero for a row that is zero or has overflowed.
-  static std::array<double, 4> unit_row(const Eigen::Vector4d& row) {
+  template <typename Row>
+  static std::array<double, 4> unit_row(const Eigen::MatrixBase<Row>& row) {
     std::array<double, 4> unit{};
-    if (row.allFinite()) Eigen::Map<Eigen::Vector4d>(unit.data()) = row.stableNormalized();
+    using Vector = Eigen::Matrix<typename Row::Scalar, 4, 1>;
+    const Vector vector = row;
+    if (vector.allFinite()) Eigen::Map<Vector>(unit.data()) = vector.stableNormalized();
     return unit;
   }
 
-  static double cosine(const std::array<double, 4>& a, const std::array<double, 4>& b) {
+  template <typename Row>
+  static double cosine(const Row& a, const Row& b) {
     return Eigen::Map<const Eigen::Vector4d>(a.data()).dot(
         Eigen::Map<const Eigen::Vector4d>(b.data()));
   }

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
+#include <cstdlib>
 #include <memory>
 #include <ostream>
 #include <streambuf>
@@ -112,15 +112,16 @@ class AtomicFile {
 
   /// A link is followed: the file behind it is replaced, not the link.
   static std::string target_of(const std::string& path) {
-    std::error_code none;
-    const std::filesystem::path target = std::filesystem::canonical(path, none);
-    return none ? path : target.string();
+    const std::unique_ptr<char, void (*)(void*)> target(::realpath(path.c_str(), nullptr),
+                                                        std::free);
+    return target ? std::string(target.get()) : path;
   }
 
   /// So that the new name, too, survives a loss of power. Not every file system can.
   void sync_folder() const {
-    const std::string folder = std::filesystem::path(path_).parent_path().string();
-    const int opened = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
+    const std::size_t slash = path_.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : path_.substr(0, slash + 1);
+    const int opened = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
     if (opened < 0) return;
     static_cast<void>(::fsync(opened));
     ::close(opened);

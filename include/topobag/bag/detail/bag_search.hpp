@@ -19,11 +19,11 @@ inline namespace v0 {
 namespace detail {
 
 /// One query of one bag: visits leaves by falling bound, until no leaf can hold a better graph.
+template <typename Similarity>
 class BagSearch {
  public:
-  BagSearch(const BagParts& parts, const ClassPairDistanceHistogram& similarity,
-            const TopologyGraph<double>& graph, const QueryOptions& options,
-            std::size_t max_visited)
+  BagSearch(const BagParts& parts, const Similarity& similarity, const TopologyGraph<double>& graph,
+            const QueryOptions& options, std::size_t max_visited)
       : parts_(options.restricts() ? possible(parts, options.among) : parts),
         similarity_(similarity),
         options_(options),
@@ -129,14 +129,14 @@ class BagSearch {
   }
 
   BagParts parts_;  ///< as far as they may hold what is asked for
-  const ClassPairDistanceHistogram& similarity_;
+  const Similarity& similarity_;
   const QueryOptions& options_;
   bool restricted_;
   std::size_t max_visited_;
   SparseHistogram query_;
   CoarseHistogram coarse_query_;
   SketchQuery sketch_;
-  CommonMass common_mass_;
+  CommonMass<Similarity> common_mass_;
   NodeScan scan_;
   BestCandidates best_;
   std::size_t visited_ = 0;

@@ -19,10 +19,11 @@ namespace detail {
 ///
 /// Looks up what words the query has instead of making the other histogram: O(n²) without a sort.
 /// Keeps scratch space, so one thread at a time.
+template <typename Similarity>
 class CommonMass {
  public:
   /// @param labels  of the query's nodes
-  CommonMass(const ClassPairDistanceHistogram& similarity, const SparseHistogram& query,
+  CommonMass(const Similarity& similarity, const SparseHistogram& query,
              std::vector<ClassId> labels)
       : similarity_(similarity), labels_(std::move(labels)) {
     std::sort(labels_.begin(), labels_.end());
@@ -121,14 +122,14 @@ class CommonMass {
   double octaves(double length) {
     const double steps = length * steps_per_size_metre;
     if (!(steps < static_cast<double>(octaves_.size()))) {
-      return ClassPairDistanceHistogram::octaves(length);
+      return Similarity::octaves(length);
     }
     double& known = octaves_[static_cast<std::size_t>(steps)];
-    if (known < 0.0) known = ClassPairDistanceHistogram::octaves(length);
+    if (known < 0.0) known = Similarity::octaves(length);
     return known;
   }
 
-  const ClassPairDistanceHistogram& similarity_;
+  const Similarity& similarity_;
   std::vector<ClassId> labels_;              ///< the query's classes, ascending
   std::vector<Vote> pairs_, sides_, alone_;  ///< by label × label, label × side, label
   std::vector<Slot> slots_;                  ///< open addressing; a power of two

@@ -35,11 +35,12 @@ struct BoundedLeaf {
 
 /// What the leaves of a bag have in common with a query at most, to visit the best first. Gives
 /// each leaf once.
+template <typename Parts>
 class LeafOrder {
  public:
   /// @param total  sum of the query's weights
   /// O(Σ over the query's words of the leaves that have them).
-  LeafOrder(const BagParts& parts, const CoarseHistogram& query, double total)
+  LeafOrder(const Parts& parts, const CoarseHistogram& query, double total)
       : parts_(*parts.sealed), total_(static_cast<float>(total)) {
     // Sums are 16 bits wide, for speed: words that might not fit count as common with all.
     CoarseHistogram fitting;
@@ -151,7 +152,7 @@ class LeafOrder {
     return leaves;
   }
 
-  const BagParts::Sealed& parts_;
+  const typename Parts::Sealed& parts_;
   float total_;
   float surplus_ = 0.0F;             ///< weights of the words that are not in the sums
   std::vector<std::size_t> begins_;  ///< of the parts' leaves, and the end

@@ -19,9 +19,10 @@ inline constexpr std::size_t max_segment_size = LeafBounds::max_leaves;
 inline constexpr std::size_t merge_fan_in = 4;
 
 /// Makes segments of entries that come one by one.
+template <typename Similarity>
 class PartBuilder {
  public:
-  explicit PartBuilder(const ClassPairDistanceHistogram& similarity)
+  explicit PartBuilder(const Similarity& similarity)
       : similarity_(similarity), segment_(similarity) {}
 
   void add(KeyframeId id, const EntryInfo& info, const std::uint8_t* graph, std::size_t size) {
@@ -46,11 +47,11 @@ class PartBuilder {
   void end_segment() {
     if (segment_.size() == 0) return;
     parts_.push_back({std::make_shared<const Segment>(segment_.build()), nullptr});
-    segment_ = Segment::Builder(similarity_);
+    segment_ = Segment::Builder<Similarity>(similarity_);
   }
 
-  const ClassPairDistanceHistogram& similarity_;
-  Segment::Builder segment_;
+  const Similarity& similarity_;
+  Segment::Builder<Similarity> segment_;
   std::vector<SealedPart> parts_;
 };
 
@@ -72,9 +73,10 @@ inline std::size_t ripe_for_merge(const std::vector<SealedPart>& parts) {
 }
 
 /// One segment of the last `count`. Keeps their leaves; where entries are gone, makes new ones.
-inline SealedPart merged(const std::vector<SealedPart>& parts, std::size_t count,
-                         const ClassPairDistanceHistogram& similarity) {
-  Segment::Builder builder(similarity);
+template <typename Similarity>
+SealedPart merged(const std::vector<SealedPart>& parts, std::size_t count,
+                  const Similarity& similarity) {
+  Segment::Builder<Similarity> builder(similarity);
   for (std::size_t i = parts.size() - count; i < parts.size(); ++i) {
     const Segment& segment = *parts[i].segment;
     if (!parts[i].dead) {

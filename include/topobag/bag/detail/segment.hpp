@@ -89,6 +89,7 @@ class Segment {
            begins_.capacity() * sizeof(std::uint32_t) + sizeof(*this);
   }
 
+  template <typename Similarity>
   class Builder;
 
  private:
@@ -109,9 +110,10 @@ class Segment {
 };
 
 /// Puts a segment together, slot by slot.
+template <typename Similarity>
 class Segment::Builder {
  public:
-  explicit Builder(const ClassPairDistanceHistogram& similarity) : similarity_(&similarity) {}
+  explicit Builder(const Similarity& similarity) : similarity_(&similarity) {}
 
   std::size_t size() const noexcept { return segment_.ids_.size(); }
   std::size_t graph_bytes() const noexcept { return segment_.bytes_.size(); }
@@ -228,7 +230,7 @@ class Segment::Builder {
               [&](std::uint32_t l, std::uint32_t r) { return ids[l] < ids[r]; });
   }
 
-  const ClassPairDistanceHistogram* similarity_;
+  const Similarity* similarity_;
   Segment segment_;
   LeafBounds::Builder bounds_;
   CoarseHistogram leaf_, raised_;

@@ -16,14 +16,16 @@ namespace detail {
 /// before a reader refuses it instead of normalising it: room for text with two decimals.
 inline constexpr double rotation_tolerance = 0.01;
 
-inline void require_finite(const TextLines& lines, const double* values, std::size_t count) {
+template <typename Lines>
+void require_finite(const Lines& lines, const double* values, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(values[i])) lines.fail("a number is not finite.");
   }
 }
 
 /// `tx ty tz qx qy qz qw` of the current line as a pose.
-inline Eigen::Isometry3d pose_from_quaternion(const TextLines& lines, const double* values) {
+template <typename Lines>
+Eigen::Isometry3d pose_from_quaternion(const Lines& lines, const double* values) {
   require_finite(lines, values, 7);
   const Eigen::Quaterniond q(values[6], values[3], values[4], values[5]);
   if (!(std::abs(q.norm() - 1.0) <= rotation_tolerance)) {
@@ -36,7 +38,8 @@ inline Eigen::Isometry3d pose_from_quaternion(const TextLines& lines, const doub
 }
 
 /// A row-major 3×4 matrix [R | t] of the current line as a pose.
-inline Eigen::Isometry3d pose_from_matrix(const TextLines& lines, const double* values) {
+template <typename Lines>
+Eigen::Isometry3d pose_from_matrix(const Lines& lines, const double* values) {
   require_finite(lines, values, 12);
   const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> matrix(values);
   const Eigen::Matrix3d rotation = matrix.leftCols<3>();

@@ -28,6 +28,11 @@ class DistanceTable {
   template <typename Scalar>
   explicit DistanceTable(const TopologyGraph<Scalar>& graph)
       : size_(graph.size()), distances_(size_ * size_) {
+    struct Placed {
+      std::size_t node;
+      Eigen::Vector3d position;
+      Eigen::Matrix3d covariance;
+    };
     std::vector<Placed> placed;
     placed.reserve(size_);
     for (std::size_t i = 0; i < size_; ++i) {
@@ -47,15 +52,10 @@ class DistanceTable {
   const Distance* row(std::size_t i) const noexcept { return distances_.data() + i * size_; }
 
  private:
-  struct Placed {
-    std::size_t node;
-    Eigen::Vector3d position;
-    Eigen::Matrix3d covariance;
-  };
-
+  template <typename Placed>
   static Distance distance_between(const Placed& a, const Placed& b) {
-    const Eigen::Vector3d line = a.position - b.position;
-    const Eigen::Matrix3d covariance = a.covariance + b.covariance;
+    const auto line = (a.position - b.position).eval();
+    const auto covariance = (a.covariance + b.covariance).eval();
     const double length = line.norm();
     // Coincident nodes have no direction: the mean over all.
     if (!(length > 0.0)) return {length, covariance.trace() / 3.0};

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include <Eigen/Core>
 
-#include <topobag/matching/point_pair.hpp>
+#include <topobag/version.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -14,12 +13,14 @@ namespace detail {
 
 /// Points as `fit_rigid` takes them, each pair weighted by its mean variance.
 struct PointSets {
-  explicit PointSets(const std::vector<PointPair>& points)
+  /// @param points  a vector of `PointPair`
+  template <typename Points>
+  explicit PointSets(const Points& points)
       : weights(static_cast<Eigen::Index>(points.size())) {
     target.resize(3, weights.size());
     source.resize(3, weights.size());
     for (Eigen::Index i = 0; i < weights.size(); ++i) {
-      const PointPair& pair = points[static_cast<std::size_t>(i)];
+      const auto& pair = points[static_cast<std::size_t>(i)];
       target.col(i) = pair.target;
       source.col(i) = pair.source;
       weights(i) = 1.0 / (pair.target_covariance.trace() + pair.source_covariance.trace() + 1e-4);

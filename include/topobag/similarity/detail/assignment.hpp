@@ -19,7 +19,8 @@ namespace detail {
 /// gain; with more rows than columns some rows get none.
 ///
 /// Kuhn–Munkres by shortest augmenting paths. O(r² c) for the shorter side r and the longer c.
-inline std::vector<std::optional<std::size_t>> best_assignment(const Eigen::MatrixXd& gain) {
+template <typename Derived>
+std::vector<std::optional<std::size_t>> best_assignment(const Eigen::MatrixBase<Derived>& gain) {
   const bool flipped = gain.rows() > gain.cols();
   const Eigen::MatrixXd cost =
       flipped ? Eigen::MatrixXd(-gain.transpose()) : Eigen::MatrixXd(-gain);
