@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/matching/detail/normal_equations.hpp>
+#include <topobag/matching/point_pair.hpp>
 
 #include "catch.hpp"
 #include "matching/layouts.hpp"
