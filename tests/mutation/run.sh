@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Mutation check: plants the small faults of faults.txt in a copy of include/ and tells which of them no
 # test notices; fails when fewer than 95 % are noticed.
-#   bash tests/mutation/run.sh [PATTERN]: the faults in headers that match; all by default
+#   bash tests/mutation/run.sh [PATTERN]: the faults in headers that match the regular expression; all by default
 # A folder's faults are compiled into its tests at once, BEFORE becoming (planted(N) ? (AFTER) : (BEFORE)).
 # Then the tests run once for each fault: those of its header first, the whole folder's when these pass.
 set -euo pipefail
@@ -40,7 +40,7 @@ while read -r mark text; do
     \?) why=$text ;;
     -) before=$text ;;
     +)
-      if [[ $header == *"$pattern"* ]]; then
+      if [[ $header =~ $pattern ]]; then
         plant "$header" "$before" "$text" ${#headers[@]}
         headers+=("$header") texts+=("$before  ->  $text") reasons+=("$why")
       fi
@@ -108,7 +108,7 @@ inline const int fault_number = fault == nullptr ? -1 : std::atoi(fault);
 inline bool planted(int number) { return number == fault_number; }
 EOF
 c++ "${flags[@]:0:${#flags[@]}-2}" -x c++-header "$out/common.hpp" -o "$out/common.hpp.gch"
-c++ -std=c++17 -O1 -c tests/main.cpp -Itests -o "$out/main.o"
+[ "$out/main.o" -nt tests/main.cpp ] || c++ -std=c++17 -O1 -c tests/main.cpp -Itests -o "$out/main.o"
 
 mapfile -t folders < <(for header in "${headers[@]}"; do folder_of "$header"; done | sort -u)
 at_once build "${folders[@]}"
