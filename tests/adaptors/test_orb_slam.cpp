@@ -13,6 +13,7 @@
 
 #include "adaptors/small_host.hpp"
 #include "catch.hpp"
+#include "long_rounds.hpp"
 
 using namespace topobag;
 using namespace small_host;
@@ -144,6 +145,23 @@ TEST_CASE("a loop's least gap in time is kept", "[adaptors]") {
   Pointers found = database.DetectLoopCandidates(host.key_frames[3].get(), 0.0F);
   std::sort(found.begin(), found.end(), [](auto* a, auto* b) { return a->mnId < b->mnId; });
   CHECK(found == Pointers{host.key_frames[0].get(), host.key_frames[1].get()});
+}
+
+TEST_CASE("no more places are offered than asked for", "[adaptors]") {
+  OrbSlamOptions options = without_waiting();
+  options.fusing.window = 0.0;
+  options.max_loops = options.max_relocalizations = 1;
+  Host host;
+  Database database(options, [&](const Frame& frame) {
+    return std::optional<TopologyGraph<>>(host.room.seen_from(frame.T_world_camera));
+  });
+  for (const double stamp : {0.0, 50.0, 100.0}) {
+    KeyFrame& key_frame = host.make(host.key_frames.size(), stamp);
+    database.observe(0, key_frame.mnId, host.seen_in(key_frame));
+    database.add(&key_frame);
+  }
+  CHECK(database.relocalization_places({9.0, random_camera(host.random)}).size() == 1);
+  CHECK(database.loop_places(host.key_frames[2].get()).size() == 1);
 }
 
 TEST_CASE("the host's candidates follow the verified ones, each once, none bad", "[adaptors]") {
@@ -290,4 +308,6 @@ TEST_CASE("key frames are culled, reset and deleted while they are queried", "[a
   race(std::chrono::milliseconds(500));
 }
 
-TEST_CASE("the same for half a minute", "[adaptors][long]") { race(std::chrono::seconds(30)); }
+TEST_CASE("the same for half a minute", "[adaptors][long]") {
+  race(std::chrono::milliseconds(long_rounds(30000)));
+}

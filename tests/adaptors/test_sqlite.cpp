@@ -21,6 +21,7 @@
 #include "catch.hpp"
 #include "child_process.hpp"
 #include "error_text.hpp"
+#include "long_rounds.hpp"
 #include "scratch_folder.hpp"
 
 using namespace topobag;
@@ -399,5 +400,5 @@ TEST_CASE("a killed mapping run loses at most the key frame being written", "[sq
 }
 
 TEST_CASE("300 killed mapping runs lose at most the key frame being written", "[sqlite][long]") {
-  kill_adds(300);
+  kill_adds(long_rounds(300));
 }

@@ -15,6 +15,7 @@
 #include "bag/filled_bags.hpp"
 #include "bag/refusals.hpp"
 #include "catch.hpp"
+#include "long_rounds.hpp"
 #include "recombined_graphs.hpp"
 
 using namespace topobag;
@@ -182,7 +183,7 @@ TEST_CASE("an indexed bag answers as brute force over its graphs does", "[bag][i
 }
 
 TEST_CASE("an indexed bag answers thousands of queries as brute force does", "[bag][index][long]") {
-  for (std::uint64_t seed = 10; seed < 15; ++seed) {
+  for (std::uint64_t seed = 10; seed < 10 + long_rounds(5); ++seed) {
     compare_with_brute_force(seed, 100, 5000, 2500, false);
     compare_with_brute_force(seed, 5000, 9000, 1000, true);
     compare_with_brute_force(seed, 5000, 9000, 700, false);
@@ -283,5 +284,5 @@ TEST_CASE("readers and a writer do not disturb each other", "[bag][index]") {
 }
 
 TEST_CASE("readers and a writer do not disturb each other for long", "[bag][index][long]") {
-  write_and_read(std::chrono::seconds(35));
+  write_and_read(std::chrono::milliseconds(long_rounds(35000)));
 }

@@ -40,3 +40,19 @@ TEST_CASE("bags merge, and say where each key frame went", "[bag][index]") {
   CHECK_THROWS_AS(bag.merge(*bag.view()), InvalidValue);
   CHECK(bag.size() == 212);
 }
+
+TEST_CASE("a merged bag's cameras move with their map", "[bag][index]") {
+  IndexedBag bag, other;
+  EntryInfo info;
+  info.T_world_camera = Eigen::Isometry3d(Eigen::Translation3d(1.0, 0.0, 0.0));
+  other.add(KeyframeId{1}, TopologyGraph<>{}, info);
+  MergeOptions options;
+  Eigen::Isometry3d& T_world_other = options.T_world_other.emplace();
+  T_world_other.setIdentity();
+  T_world_other.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // a quarter turn about z
+  T_world_other.translation() = Eigen::Vector3d(10.0, 20.0, 30.0);
+  bag.merge(*other.view(), options);
+  const auto moved = bag.info(KeyframeId{1})->T_world_camera;
+  CHECK(moved->translation().isApprox(Eigen::Vector3d(10.0, 21.0, 30.0)));
+  CHECK(moved->linear().isApprox(T_world_other.linear()));
+}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <functional>
@@ -182,6 +183,31 @@ TEST_CASE("a bag made with other classes is refused", "[bag][snapshot]") {
   CHECK(refusal(saved(bag, options), coco).empty());
   CHECK(refusal(saved(bag, options)).empty());
   CHECK(refusal(saved(bag), paper).empty());
+}
+
+namespace {
+
+/// A bag that visits its entries by falling id.
+struct Backwards {
+  using Graph = Bag::Graph;
+  Bag bag;
+
+  std::size_t size() const { return bag.size(); }
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    std::vector<KeyframeId> ids;
+    bag.for_each([&](KeyframeId id, const EntryInfo&, const Graph&) { ids.push_back(id); });
+    std::for_each(ids.rbegin(), ids.rend(),
+                  [&](KeyframeId id) { visit(id, *bag.info(id), *bag.find(id)); });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("entries that are not in the order of their ids are refused", "[bag][snapshot]") {
+  std::mt19937 random(11);
+  CHECK(refusal(saved(Backwards{random_bag(random, 2)})) ==
+        "entry 1 of 2 cannot be read: its id is not above the one before");
 }
 
 TEST_CASE("several bags share a stream", "[bag][snapshot]") {

@@ -20,6 +20,7 @@
 #include "catch.hpp"
 #include "child_process.hpp"
 #include "error_text.hpp"
+#include "long_rounds.hpp"
 #include "scratch_folder.hpp"
 
 using namespace topobag;
@@ -231,5 +232,5 @@ void kill_saves(unsigned kills) {
 TEST_CASE("a save that is killed leaves a whole file", "[bag][snapshot]") { kill_saves(20); }
 
 TEST_CASE("300 saves that are killed leave a whole file", "[bag][snapshot][long]") {
-  kill_saves(300);
+  kill_saves(long_rounds(300));
 }

@@ -90,6 +90,15 @@ TEST_CASE("the end of a step is the nearest pose, found by trying all", "[evalua
   }
 }
 
+TEST_CASE("of two poses as near to the end of a step the earlier ends it", "[evaluation]") {
+  auto pairs = drive(3);
+  pairs[1].stamp_s = 0.75;
+  pairs[2].stamp_s = 1.25;
+  const auto errors = relative_pose_errors(pairs, {Unit::seconds, 1.0, 0.25, true});
+  REQUIRE(errors.size() == 1);
+  CHECK(errors[0].translation_m == Approx(0.1));
+}
+
 TEST_CASE("a step needs a length", "[evaluation]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double length : {0.0, -1.0, nan}) {

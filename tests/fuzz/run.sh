@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source .ci/packages.sh
-need_packages clang libeigen3-dev libcgal-dev nlohmann-json3-dev catch2
+need_packages clang libclang-rt-dev libeigen3-dev libcgal-dev nlohmann-json3-dev catch2
 
 seconds=${1:-60}
 shift || true

@@ -54,4 +54,6 @@ TEST_CASE("of ten thousand boxes the surest are used", "[graph]") {
   CHECK(sighting.view.occluders.size() == 20);
   CHECK(sighting.nodes.size() <= 20);
   CHECK(sighting.nodes.front().confidence == 0.9);
+  detections.assign(21, seen("cup", 100.0, 1.0));
+  CHECK(sight_keyframe(0.0, detections, camera, catalog, options).view.occluders.size() == 20);
 }

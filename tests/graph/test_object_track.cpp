@@ -78,6 +78,12 @@ TEST_CASE("one bad box does not change the size", "[graph]") {
   CHECK(fused.confidence == 1.0);
 }
 
+TEST_CASE("of two sizes the larger counts: a box may have been cut", "[graph]") {
+  std::vector<SemanticNode<>> nodes(2, object_at(1, {0, 0, 3}));
+  nodes[1].size = {0.3, 0.1};
+  CHECK(track_of(nodes).fused(0.5).size == Eigen::Vector2d(0.3, 0.2));
+}
+
 TEST_CASE("nodes are apart by the noise along the line between them", "[graph]") {
   SemanticNode<> a = object_at(1, {0, 0, 3}), b = object_at(1, {0.3, 0, 3});
   a.covariance = Eigen::Vector3d(0.006, 1, 1).asDiagonal();

@@ -36,6 +36,11 @@ TEST_CASE("a view looks from where its camera is", "[graph]") {
                         Eigen::AngleAxisd(3.141592653589793, Eigen::Vector3d::UnitY());
   CHECK(view.should_show({0, 0, 1}, 0.0, 5.0));
   CHECK_FALSE(view.should_show({0, 0, 4}, 0.0, 5.0));
+  // At (1, 0, 3) it looks along x; the other way round, from the graph to the camera, along -x.
+  view.T_graph_camera = Eigen::Translation3d(1, 0, 3) *
+                        Eigen::AngleAxisd(1.5707963267948966, Eigen::Vector3d::UnitY());
+  CHECK(view.should_show({3, 0, 3}, 0.0, 5.0));
+  CHECK_FALSE(view.should_show({-1, 0, 3}, 0.0, 5.0));
 }
 
 TEST_CASE("an occluder hides what lies well behind it", "[graph]") {

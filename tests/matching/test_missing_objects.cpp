@@ -54,6 +54,18 @@ TEST_CASE("more views repeat part of the oversight", "[matching]") {
   CHECK(missing[0].cost == Approx(-2.0 * std::log10(0.8)));
 }
 
+TEST_CASE("the less the views repeat each other, the more they count", "[matching]") {
+  SemanticNode<> doubtful = ahead;
+  doubtful.existence = 0.2;
+  MissingObjects options;
+  options.correlation = 0.75;
+  const TopologyGraph<> query({}, {}, {camera_view(), camera_view(), camera_view()});
+  const auto missing =
+      options.find(TopologyGraph<>({doubtful}), query, {}, Eigen::Isometry3d::Identity());
+  REQUIRE(missing.size() == 1);
+  CHECK(missing[0].cost == Approx(-1.5 * std::log10(0.8)));
+}
+
 TEST_CASE("the cost of an object is bounded: it may have been moved", "[matching]") {
   const auto missing = look_for(ahead, std::vector<View<>>(20, camera_view()));
   REQUIRE(missing.size() == 1);

@@ -211,6 +211,10 @@ TEST_CASE("a good pose is not lost behind a degenerate one that leaves it open",
   CHECK(verdict_on({line, pose_with(0.5, false, turned)}) == Verdict::degenerate);
   CHECK(verdict_on({line, pose_with(2.0, true, turned)}) == Verdict::degenerate);
   CHECK(verdict_on({line}) == Verdict::degenerate);
+  // It is the candidate's axis, wherever the query's camera was.
+  line.T_candidate_query = Eigen::Translation3d(0, 0, 5);
+  const Eigen::Isometry3d T_candidate_query = turned * line.T_candidate_query;
+  CHECK(verdict_on({line, pose_with(2.0, false, T_candidate_query)}) == Verdict::accepted);
 }
 
 TEST_CASE("a degenerate pose elsewhere that fits better makes a match ambiguous", "[recognition]") {

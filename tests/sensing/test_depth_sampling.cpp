@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <vector>
 
 #include <topobag/sensing/depth_sampling.hpp>
 
@@ -38,6 +39,20 @@ TEST_CASE("robust depth of a flat thing is its depth", "[sensing]") {
   const auto flat = [](const Eigen::Vector2d&) -> std::optional<double> { return 2.0; };
   CHECK(RobustBoxDepth{}(flat, box) == 2.0);
   CHECK(RobustBoxDepth{}(flat, BoundingBox{5.0, 5.0, 5.2, 5.1}) == 2.0);  // less than a pixel
+}
+
+TEST_CASE("the samples lie evenly about the box's centre", "[sensing]") {
+  std::vector<Eigen::Vector2d> pixels;
+  const auto recorded = [&](const Eigen::Vector2d& pixel) -> std::optional<double> {
+    pixels.push_back(pixel);
+    return 2.0;
+  };
+  RobustBoxDepth{0.5, 2}(recorded, box);  // of the inner 50 × 40 px
+  REQUIRE(pixels.size() == 4);
+  CHECK(pixels[0].isApprox(Eigen::Vector2d(137.5, 130.0)));
+  CHECK(pixels[1].isApprox(Eigen::Vector2d(162.5, 130.0)));
+  CHECK(pixels[2].isApprox(Eigen::Vector2d(137.5, 150.0)));
+  CHECK(pixels[3].isApprox(Eigen::Vector2d(162.5, 150.0)));
 }
 
 TEST_CASE("robust depth survives holes, as long as something was measured", "[sensing]") {

@@ -22,7 +22,7 @@ TEST_CASE("features on a person are masked, the background beside them is kept",
   const DynamicFeatureMask mask({walker, screen}, coco);
   const Eigen::Vector2d inside(150.0, 200.0), outside(250.0, 200.0), on_monitor(350.0, 150.0);
   CHECK(mask(inside, 2.0));
-  CHECK(mask(inside, 2.4));
+  CHECK(mask(inside, 2.5));
   CHECK_FALSE(mask(inside, 2.6));  // the wall behind
   CHECK_FALSE(mask(inside, 1.4));  // something before
   CHECK_FALSE(mask(outside, 2.0));

@@ -143,6 +143,23 @@ TEST_CASE("which levels of dynamics stay is the caller's choice", "[sensing]") {
   CHECK(dropped({box, tv, 0.9}, 2.0, low).total() == 0);
 }
 
+TEST_CASE("the ends of the range of depths belong to it", "[sensing]") {
+  const Detection screen{{100.0, 100.0, 200.0, 200.0}, tv, 0.9};
+  for (const double z : {LiftOptions{}.min_depth, LiftOptions{}.max_depth}) {
+    CHECK(dropped(screen, z).total() == 0);
+  }
+}
+
+TEST_CASE("of two detections that are one object the surer one is kept", "[sensing]") {
+  const BoundingBox box{100.0, 100.0, 200.0, 200.0};
+  const std::vector<Detection> twins{{box, tv, 0.6}, {box, catalog.at("laptop"), 0.9}};
+  const auto lifted = lift_detections(twins, two_metres, camera, catalog);
+  REQUIRE(lifted.nodes.size() == 1);
+  CHECK(lifted.nodes[0].label == catalog.at("laptop"));
+  CHECK(lifted.sources == std::vector<std::size_t>{1});
+  CHECK(lifted.dropped.duplicate == 1);
+}
+
 TEST_CASE("a box is clipped to the image before its centre is taken", "[sensing]") {
   const std::vector<Detection> cut{{{600.0, 100.0, 700.0, 200.0}, tv, 0.9}};
   const auto lifted = lift_detections(cut, two_metres, camera, catalog);

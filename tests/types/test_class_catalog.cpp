@@ -93,6 +93,15 @@ TEST_CASE("an unknown class names its nearest neighbours", "[types]") {
         "class id -1 is not in the catalog");
 }
 
+TEST_CASE("the three nearest neighbours of an unknown class come by their distance", "[types]") {
+  ClassCatalog catalog;
+  for (const char* const name : {"door", "affair", "stair", "hair"}) {
+    catalog.add(ClassId{static_cast<std::int32_t>(catalog.size())}, name, Dynamics::low);
+  }
+  CHECK(thrown<UnknownClass>([&] { catalog.at("air"); }) ==
+        "unknown class 'air'; nearest known: 'hair' 'stair' 'affair'");
+}
+
 TEST_CASE("edit distances on known pairs", "[types]") {
   CHECK(detail::edit_distance("", "") == 0);
   CHECK(detail::edit_distance("", "abc") == 3);

@@ -26,3 +26,10 @@ TEST_CASE("verified places go before the host's candidates, guesses after", "[ad
   CHECK(merge_candidates(places, Pointers{&c, &bad, &b, nullptr, &c}) == Pointers{&a, &c, &b, &d});
   CHECK(merge_candidates<KeyFrame>({}, {}).empty());
 }
+
+TEST_CASE("a place's camera pose takes the world to the camera", "[adaptors]") {
+  OrbSlamPlace<KeyFrame> place;
+  place.T_world_query.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // a quarter turn about z
+  place.T_world_query.translation() = Eigen::Vector3d(1, 2, 3);
+  CHECK(place.camera_pose() == PlainPose{0, 1, 0, -2, -1, 0, 0, 1, 0, 0, 1, -3, 0, 0, 0, 1});
+}
