@@ -11,7 +11,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <topobag/graph/topology_graph.hpp>
@@ -33,14 +32,13 @@ inline namespace v0 {
 /// in the volume that the matched objects span. The pose is integrated out (Laplace), so a compact
 /// cluster, whose pose is loose and whose places are hardly a surprise, counts little. The widths
 /// and the heights of the paired objects speak in the same way: of one object seen twice they are
-/// nearly equal, the more so the less the view has turned; of two objects of a class they are not.
+/// nearly equal; of two objects of a class they are not.
 struct ChanceModel {
   double fill = 1.5;  ///< share of the cube of the matched objects' extent that is the volume
   double min_extent = 0.10;      ///< m
-  double size_deviation = 0.12;  ///< of the logarithm of one object's width or height, seen twice
-  double size_turn = 0.10;       ///< more of it for every radian between the two views
+  double size_deviation = 0.15;  ///< of the logarithm of one object's width or height, seen twice
   double size_spread = 0.45;     ///< of the same between two objects of one class
-  double size_outliers = 0.05;   ///< share of the sides that tell nothing: cut or misread boxes
+  double size_outliers = 0.10;   ///< share of the sides that tell nothing: cut or misread boxes
   double relabeling = 0.45;      ///< −log10 P of the label of a pair of two classes of one group
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's
@@ -57,7 +55,6 @@ struct ChanceModel {
     if (pairs.size() < 3) return 0.0;
     double significance =
         log10_bayes_factor(points, pose) - log10_ways(candidate, query, pairs, groups);
-    const double turn = Eigen::AngleAxisd(pose.T_target_source.linear()).angle();
     for (const Correspondence& pair : pairs) {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
@@ -66,7 +63,7 @@ struct ChanceModel {
       }
       for (Eigen::Index side = 0; side < 2; ++side) {
         significance += log10_size_factor(static_cast<double>(p.size(side)),
-                                          static_cast<double>(q.size(side)), turn);
+                                          static_cast<double>(q.size(side)));
       }
     }
     return significance;
@@ -74,13 +71,13 @@ struct ChanceModel {
 
   /// log10 P(ratio of two widths, or heights | one object) / P(ratio | two objects of a class).
   /// 0 where one is unknown (0).
-  /// @param turn  angle between the two views, rad
-  double log10_size_factor(double size_a, double size_b, double turn) const {
+  double log10_size_factor(double size_a, double size_b) const {
     if (!(size_a > 0.0 && size_b > 0.0)) return 0.0;
     const double ratio = std::log(size_a / size_b);
-    const double deviation = size_deviation + size_turn * turn;
-    const double precision_gain = 1.0 / (deviation * deviation) - 1.0 / (size_spread * size_spread);
-    const double factor = size_spread / deviation * std::exp(-0.5 * ratio * ratio * precision_gain);
+    const double precision_gain =
+        1.0 / (size_deviation * size_deviation) - 1.0 / (size_spread * size_spread);
+    const double factor =
+        size_spread / size_deviation * std::exp(-0.5 * ratio * ratio * precision_gain);
     return std::log10(size_outliers + (1.0 - size_outliers) * factor);
   }
 

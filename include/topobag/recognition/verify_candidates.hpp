@@ -23,7 +23,7 @@ inline namespace v0 {
 
 /// When a match is believed. One set for all data; see the README for how it was chosen.
 struct DecisionOptions {
-  double min_score = 0.45;  ///< −log10 of the odds that chance made the match
+  double min_score = 0.65;  ///< −log10 of the odds that chance made the match
   double min_lead = 1.0;   ///< in support, over every other distinct pose in the same candidate
 
   std::optional<Calibration> calibration{};  ///< with it, in place of `min_score`,
