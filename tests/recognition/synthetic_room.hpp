@@ -21,7 +21,8 @@ class SyntheticRoom {
     std::uniform_int_distribution<int> label(0, classes - 1);
     for (std::size_t i = 0; i < objects; ++i) {
       const double x = metres(random), y = metres(random), z = 4.0 + metres(random);
-      objects_.push_back({topobag::ClassId{label(random)}, {x, y, z}, size(random)});
+      const double width = size(random), height = size(random);
+      objects_.push_back({topobag::ClassId{label(random)}, {x, y, z}, {width, height}});
     }
   }
 
@@ -32,7 +33,7 @@ class SyntheticRoom {
       node.label = object.label;
       node.position = T_room_camera.inverse() * object.position;
       node.z = node.position->z();
-      node.size = {object.size, object.size};
+      node.size = object.size;
       node.covariance = topobag::NodeNoise{}.covariance(*node.position, node.size, false);
       nodes.push_back(node);
     }
@@ -43,7 +44,7 @@ class SyntheticRoom {
   struct Object {
     topobag::ClassId label;
     Eigen::Vector3d position;  // m
-    double size;               // m
+    Eigen::Vector2d size;      // m
   };
   std::vector<Object> objects_;
 };
