@@ -34,9 +34,11 @@ class BagOfTopologyGraphs;
 struct ClassPairDistanceHistogram;
 template <typename Similarity>
 class BasicBagView;
+/// The view of an `IndexedBag`.
 using BagView = BasicBagView<ClassPairDistanceHistogram>;
 template <typename Similarity>
 class BasicIndexedBag;
+/// The bag for the default similarity.
 using IndexedBag = BasicIndexedBag<ClassPairDistanceHistogram>;
 struct Recognition;
 class Calibration;

@@ -103,6 +103,7 @@ class BasicPlaceTruth {
   bool one_trajectory_;
 };
 
+/// The truth over poses of double.
 using PlaceTruth = BasicPlaceTruth<>;
 
 }  // namespace v0
