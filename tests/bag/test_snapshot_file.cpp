@@ -61,6 +61,16 @@ TEST_CASE("a bag comes back from a file as it was", "[bag][snapshot]") {
   CHECK(files_in(folder) == 1);
 }
 
+TEST_CASE("a file longer than the writer's buffer holds every byte", "[bag][snapshot]") {
+  const ScratchFolder folder;
+  std::mt19937 random(12);
+  const std::string path = folder.path("building.bag");
+  const Bag bag = random_bag(random, 2000);
+  save(bag, path);
+  REQUIRE(saved(bag).size() > 2 * 65536);
+  CHECK(content_of(path) == saved(bag));
+}
+
 TEST_CASE("a bag in memory stays as it was when a file is refused", "[bag][snapshot]") {
   const ScratchFolder folder;
   std::mt19937 random(2);
