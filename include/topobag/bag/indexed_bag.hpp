@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include <topobag/bag/bag_view.hpp>
+#include <topobag/bag/detail/free_ids.hpp>
 #include <topobag/bag/detail/part_builder.hpp>
 #include <topobag/bag/merge_options.hpp>
 #include <topobag/error.hpp>
@@ -107,7 +106,7 @@ class BasicIndexedBag {
   /// InvalidValue when the ids run out or a pose becomes infinite. O(n log n).
   std::map<KeyframeId, KeyframeId> merge(const View& other, const MergeOptions& options = {}) {
     const detail::BagParts& theirs = other.parts_;
-    std::map<KeyframeId, KeyframeId> new_ids = free_ids(theirs);
+    std::map<KeyframeId, KeyframeId> new_ids = detail::free_ids(parts(), theirs);
     detail::BagParts next = sealed(parts());
     detail::PartBuilder<Similarity> builder(*similarity_);
     theirs.for_each([&](detail::EntryPlace place) {
@@ -218,27 +217,6 @@ class BasicIndexedBag {
     next.sealed = std::move(segments);
     next.live = parts.live;
     return next;
-  }
-
-  std::map<KeyframeId, KeyframeId> free_ids(const detail::BagParts& theirs) const {
-    std::map<KeyframeId, KeyframeId> new_ids;
-    std::uint64_t greatest = 0;
-    parts().for_each([&](detail::EntryPlace place) {
-      greatest = std::max(greatest, value(parts().entry(place).id));
-    });
-    theirs.for_each([&](detail::EntryPlace place) {
-      const KeyframeId id = theirs.entry(place).id;
-      greatest = std::max(greatest, value(id));
-      new_ids.emplace(id, id);
-    });
-    for (auto& [id, new_id] : new_ids) {
-      if (!parts().find(id)) continue;
-      if (greatest == std::numeric_limits<std::uint64_t>::max()) {
-        throw InvalidValue("no ids are left after the greatest: give the key frames lower ones");
-      }
-      new_id = KeyframeId{++greatest};
-    }
-    return new_ids;
   }
 
   std::shared_ptr<const Similarity> similarity_;
