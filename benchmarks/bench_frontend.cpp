@@ -7,7 +7,7 @@
 // looked up in that map, as a lost tracker does. The whole is repeated; each key frame counts with
 // its median. Tables are files of the `topobag` program: MAP and QUERY, by default those of
 // examples/data; CANDIDATES, by default as many as `OrbSlamOptions` has, are verified for each
-// query.
+// query; detections below MIN_CONFIDENCE are left out.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -51,8 +51,8 @@ double quantile(std::vector<double> values, double share) {
 
 /// Runs a table through the stages; with `grow`, its key frames stay in the map.
 std::vector<Cost> run(const program::NodeTable& table, const PinholeCamera<>& camera,
-                      const ClassCatalog& catalog, Relocalizer<>& map, bool grow,
-                      std::size_t& accepted) {
+                      const ClassCatalog& catalog, const SightingOptions& sighting,
+                      Relocalizer<>& map, bool grow, std::size_t& accepted) {
   LocalGraph<> window;
   std::vector<Cost> costs;
   std::optional<Eigen::Isometry3d> T_world_previous;
@@ -62,7 +62,8 @@ std::vector<Cost> run(const program::NodeTable& table, const PinholeCamera<>& ca
     due += 0.4 * (std::floor((frame.timestamp - due) / 0.4) + 1.0);
     Cost cost;
     auto clock = Clock::now();
-    KeyframeSighting seen = sight_keyframe(frame.timestamp, frame.detections, camera, catalog);
+    KeyframeSighting seen =
+        sight_keyframe(frame.timestamp, frame.detections, camera, catalog, sighting);
     cost.lift = since(clock);
     const Eigen::Isometry3d T_previous_current =
         T_world_previous.value_or(*frame.T_world_camera).inverse() * *frame.T_world_camera;
@@ -113,6 +114,8 @@ int main(int argc, char** argv) {
   const std::string query_set = argc > 2 ? argv[2] : data + "fr1_rpy";
   RecognitionOptions recognition = OrbSlamOptions{}.recognition;
   if (argc > 3) recognition.max_candidates = static_cast<std::size_t>(std::atoi(argv[3]));
+  SightingOptions sighting;
+  if (argc > 4) sighting.lifting.min_confidence = std::atof(argv[4]);
   const PinholeCamera<> camera{517.3, 516.5, 318.6, 255.3, 640, 480};
   const ClassCatalog catalog = ClassCatalog::coco80();
   try {
@@ -124,8 +127,8 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < repeats; ++i) {
       Relocalizer<> map(recognition);
       loops = found = 0;
-      growing.push_back(run(map_table, camera, catalog, map, true, loops));
-      lost.push_back(run(query_table, camera, catalog, map, false, found));
+      growing.push_back(run(map_table, camera, catalog, sighting, map, true, loops));
+      lost.push_back(run(query_table, camera, catalog, sighting, map, false, found));
       size = map.map().size();
     }
     std::printf("%-10s %10s %8s %8s %8s %8s %8s %9s %9s\n", "", "key frames", "map", "lift, us",
