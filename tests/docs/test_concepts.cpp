@@ -318,7 +318,8 @@ TEST_CASE("concepts: a bag to explain, calibrate, save and rebuild", "[docs]") {
   Relocalizer<ListBag> relocalizer;
   relocalizer.map().add(KeyframeId{7}, room());
   const Recognition found = relocalizer.localize(room());
-  CHECK(explain(found, relocalizer.map(), room(), ClassCatalog::coco80()).usable);
+  CHECK(explain(found, relocalizer.map(), room(), ClassCatalog::coco80(), relocalizer.options())
+            .usable);
   const OtherPlaces never = [](KeyframeId, KeyframeId) { return false; };
   CalibrateOptions few;
   few.null_look_ups = 2;

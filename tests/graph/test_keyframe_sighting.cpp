@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <topobag/graph/keyframe_sighting.hpp>
@@ -52,8 +54,26 @@ TEST_CASE("of ten thousand boxes the surest are used", "[graph]") {
   options.max_detections = 20;
   const auto sighting = sight_keyframe(0.0, detections, camera, catalog, options);
   CHECK(sighting.view.occluders.size() == 20);
-  CHECK(sighting.nodes.size() <= 20);
+  CHECK(sighting.nodes.size() == 20);
   CHECK(sighting.nodes.front().confidence == 0.9);
   detections.assign(21, seen("cup", 100.0, 1.0));
   CHECK(sight_keyframe(0.0, detections, camera, catalog, options).view.occluders.size() == 20);
+}
+
+TEST_CASE("an unknown class is told by the caller's index, though the box be left out",
+          "[graph][regression]") {
+  std::vector<RangedDetection> detections(30, seen("cup", 100.0, 1.0));
+  detections[7].label = ClassId{999};
+  detections[7].confidence = 0.1;  // not among the surest
+  SightingOptions options;
+  for (const std::size_t most : {30U, 20U}) {
+    options.max_detections = most;
+    std::optional<std::size_t> index;
+    try {
+      sight_keyframe(0.0, detections, camera, catalog, options);
+    } catch (const UnknownClass& unknown) {
+      index = unknown.index();
+    }
+    CHECK(index == 7U);
+  }
 }

@@ -300,3 +300,23 @@ TEST_CASE("a node that is not finite is refused by its index", "[graph][regressi
   REQUIRE(local.graph().size() == 1);
   CHECK(local.graph().nodes()[0].position->isApprox(Eigen::Vector3d(0, 0, 2)));
 }
+
+TEST_CASE("a camera that is not finite is refused, an unknown one is not", "[graph][regression]") {
+  LocalGraph<> local;
+  View<> view = camera_view();
+  view.camera.cx = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(local.add(0.0, {object_at(1, {0, 0, 2})}, still, view), InvalidValue);
+  CHECK(local.view_count() == 0);
+  local.add(0.0, {object_at(1, {0, 0, 2})}, still, View<>{});
+  CHECK(local.graph().size() == 1);
+}
+
+TEST_CASE("a covariance without an inverse is refused and swallows no object",
+          "[graph][regression]") {
+  LocalGraph<> local;
+  SemanticNode<> flat = object_at(1, {0, 0, 2});
+  flat.covariance = Eigen::Vector3d(0, 0, 0.04).asDiagonal();
+  CHECK(refused_node([&] { local.add(0.0, {flat}, still); }) == 0U);
+  local.add(0.1, {object_at(1, {0, 0, 2}), object_at(2, {1, 0, 2})}, still);
+  CHECK(local.graph().size() == 2);
+}

@@ -134,3 +134,23 @@ TEST_CASE("the builder's edges are the graph's", "[graph]") {
   STATIC_REQUIRE(is_edge_builder_v<RadiusEdges, float>);
   STATIC_REQUIRE_FALSE(is_edge_builder_v<int, double>);
 }
+
+TEST_CASE("a covariance that is no covariance is refused with the node's index",
+          "[graph][regression]") {
+  std::mt19937 random(6);
+  Eigen::Matrix3d tilted = Eigen::Matrix3d::Identity();
+  tilted(0, 2) = tilted(2, 0) = 1.5;  // correlated by more than 1
+  for (const Eigen::Matrix3d& bad :
+       {Eigen::Matrix3d(-1e-4 * Eigen::Matrix3d::Identity()), tilted,
+        Eigen::Matrix3d(Eigen::Vector3d(0, 0, 0.04).asDiagonal()),  // of the depth alone
+        Eigen::Matrix3d(Eigen::Vector3d(0.01, 0, 0.04).asDiagonal()),
+        Eigen::Matrix3d(Eigen::Vector3d(0.01, 0.01, -0.04).asDiagonal())}) {
+    auto nodes = random_nodes(random, 6);
+    nodes[4].covariance = bad;
+    CHECK(thrown_index([&] { TopologyGraph<>{nodes}; }) == 4u);
+  }
+  auto nodes = random_nodes(random, 6);
+  nodes[4].covariance = Eigen::Vector3d(1e-12, 1.0, 1.0).asDiagonal();
+  nodes[5].covariance.setZero();  // not modelled
+  CHECK(TopologyGraph<>{nodes}.size() == 6);
+}

@@ -181,3 +181,16 @@ TEST_CASE("equal sizes speak for a match, unequal ones against it", "[matching]"
   for (auto& node : nodes) node.size *= 2.0;
   CHECK(significance(graph, TopologyGraph<>(nodes), 4) < significance(graph, graph, 4));
 }
+
+TEST_CASE("a pose without a proper covariance is no match, and its score a number",
+          "[matching][regression]") {
+  const TopologyGraph<> graph = with_classes({1, 2, 3, 4});
+  const auto pairs = first_pairs(4);
+  std::vector<PointPair> points;
+  for (const auto& node : graph.nodes()) points.push_back(point_pair(node, node));
+  RefinedPose pose = refine_pose(Eigen::Isometry3d::Identity(), points);
+  pose.covariance(5, 5) = -1.0;
+  const double significance = ChanceModel{}.significance(graph, graph, pairs, points, pose);
+  CHECK(std::isfinite(significance));
+  CHECK(significance < -1e6);
+}

@@ -267,3 +267,26 @@ TEST_CASE("an object missing from a view lowers the score by its cost", "[matchi
   CHECK(pose.score() == pose.support() + pose.viewpoint_odds);
   CHECK(pose.viewpoint_odds == Approx(ViewpointPrior{}.log10_odds(Eigen::Matrix3d::Identity())));
 }
+
+TEST_CASE("a search that leaves poses out says so", "[matching][regression]") {
+  MatchOptions options;
+  CHECK(match_graphs(table_group(), table_group(), options).complete);
+  options.max_hypotheses = 2;  // of the four turns
+  CHECK_FALSE(match_graphs(table_group(), table_group(), options).complete);
+}
+
+TEST_CASE("a pose's covariance is that of the pairs it comes with", "[matching][regression]") {
+  std::mt19937 random(96);
+  for (int round = 0; round < 300; ++round) {
+    const TopologyGraph<> candidate = noisy_graph(random, 12, 2, 0.15);
+    const TopologyGraph<> query = jittered(random, candidate, 1.5);
+    for (const RelativePose& pose : match_graphs(candidate, query).poses) {
+      std::vector<PointPair> points;
+      for (const Correspondence& pair : pose.inliers) {
+        points.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query)));
+      }
+      CAPTURE(round);
+      CHECK(pose.covariance.isApprox(pose_covariance(pose.T_candidate_query, points)));
+    }
+  }
+}

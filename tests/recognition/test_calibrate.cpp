@@ -6,6 +6,7 @@
 #include <topobag/recognition/calibrate.hpp>
 
 #include "catch.hpp"
+#include "matching/layouts.hpp"
 #include "synthetic_room.hpp"
 
 using namespace topobag;
@@ -79,7 +80,9 @@ TEST_CASE("a calibrated decision asks for the score of its rate", "[recognition]
   CHECK(found.accepted->id == KeyframeId{3});
   for (const CandidateReport& report : found.candidates) {
     CHECK(report.threshold == threshold);
-    REQUIRE(report.confidence.has_value() == report.pose.has_value());
+    const bool one_pose = report.pose && report.verdict != Verdict::degenerate &&
+                          report.verdict != Verdict::ambiguous;
+    CHECK(report.confidence.has_value() == one_pose);
   }
   CHECK(*found.accepted->confidence > 0.97);
   CHECK_FALSE(relocalizer.localize(query).accepted->confidence);
@@ -110,4 +113,30 @@ TEST_CASE("a false score is that of the match a look-up would accept", "[recogni
   REQUIRE(false_score(found));
   CHECK(*false_score(found) == found.accepted->pose->score());
   CHECK_FALSE(false_score(Recognition{}));
+}
+
+TEST_CASE("a look-up that compared nothing teaches nothing", "[recognition][regression]") {
+  RecognitionOptions options;
+  options.retrieval.min_score = 2.0;  // nothing resembles so much
+  Relocalizer<> relocalizer(options);
+  const Calibration calibration = calibrate(relocalizer, fill(relocalizer, 6));
+  CHECK(calibration.look_ups() == 0);
+  CHECK(calibration.threshold(0.01).extrapolated);
+}
+
+TEST_CASE("no confidence is given where several poses fit alike", "[recognition][regression]") {
+  std::vector<SemanticNode<>> chairs;
+  for (const double x : {-1.0, 1.0}) {
+    for (const double z : {-1.0, 1.0}) chairs.push_back(object_at(56, {x, 0.0, 4.0 + z}));
+  }
+  const TopologyGraph<> square(std::move(chairs));
+  RecognitionOptions options;
+  options.decision.calibration.emplace();
+  options.decision.false_accept_rate = 1.0;
+  Relocalizer<> relocalizer(options);
+  relocalizer.map().add(KeyframeId{1}, square);
+  const Recognition found = relocalizer.localize(square);
+  REQUIRE(found.candidates.size() == 1);
+  CHECK(found.candidates[0].verdict == Verdict::ambiguous);
+  CHECK_FALSE(found.candidates[0].confidence);
 }

@@ -103,7 +103,7 @@ TEST_CASE("what was expected and is missing is named, with its place and why", "
   relocalizer.map().add(KeyframeId{3}, TopologyGraph<>(nodes));
   const Recognition found = relocalizer.localize(query);
   REQUIRE(found);
-  const Explanation explanation = explain(found, relocalizer.map(), query, coco);
+  const Explanation explanation = explain(found, relocalizer.map(), query, coco, {});
   REQUIRE(explanation.candidates.size() == 1);
   const CandidateExplanation& candidate = explanation.candidates[0];
   REQUIRE(candidate.missing.size() == 1);
@@ -126,6 +126,34 @@ TEST_CASE("a candidate that has left the bag is passed over, an unusable query i
   const Recognition found = relocalizer.localize(graph);
   relocalizer.map().erase(KeyframeId{1});
   const ClassCatalog coco = ClassCatalog::coco80();
-  CHECK(explain(found, relocalizer.map(), graph, coco).candidates.empty());
-  CHECK_FALSE(explain(Recognition{}, relocalizer.map(), TopologyGraph<>{}, coco).usable);
+  CHECK(explain(found, relocalizer.map(), graph, coco, {}).candidates.empty());
+  CHECK_FALSE(explain(Recognition{}, relocalizer.map(), TopologyGraph<>{}, coco, {}).usable);
+}
+
+TEST_CASE("a candidate that has become another is passed over", "[recognition][regression]") {
+  Relocalizer<> relocalizer;
+  const auto graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  relocalizer.map().add(KeyframeId{1}, graph);
+  const Recognition found = relocalizer.localize(graph);
+  REQUIRE(found);
+  relocalizer.map().update(KeyframeId{1}, TopologyGraph<>({graph.nodes()[0]}));
+  const ClassCatalog coco = ClassCatalog::coco80();
+  CHECK(explain(found, relocalizer.map(), graph, coco, {}).candidates.empty());
+}
+
+TEST_CASE("a search that was cut short is told", "[recognition][regression]") {
+  std::vector<SemanticNode<>> chairs;
+  std::mt19937 random(3);
+  for (int i = 0; i < 23; ++i) {  // 529 pairs, more than are offered
+    chairs.push_back(object_at(56, random_motion(random, 2.0).translation()));
+  }
+  const TopologyGraph<> room(std::move(chairs));
+  Relocalizer<> relocalizer;
+  relocalizer.map().add(KeyframeId{1}, room);
+  const Recognition found = relocalizer.localize(room);
+  const Explanation explanation =
+      explain(found, relocalizer.map(), room, ClassCatalog::coco80(), relocalizer.options());
+  REQUIRE(explanation.candidates.size() == 1);
+  CHECK_FALSE(explanation.candidates[0].complete);
+  CHECK(to_string(explanation).find("cut short") != std::string::npos);
 }

@@ -99,3 +99,14 @@ TEST_CASE("a key frame that is refused leaves the bag as it was", "[recognition]
   CHECK(loops.bag().size() == 1);
   CHECK(loops.bag().info(KeyframeId{1})->stamp == 0.0);
 }
+
+TEST_CASE("a stamp or a gap that is not finite is refused", "[recognition][regression]") {
+  const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  LoopOptions options;
+  options.recognition.retrieval.among.max_stamp = 1e9;
+  LoopDetector<> loops(options);
+  loops.detect_and_add(KeyframeId{1}, 99.0, graph);
+  CHECK_THROWS_AS(loops.detect(std::nan(""), graph), InvalidValue);
+  options.min_gap = std::nan("");
+  CHECK_THROWS_AS(LoopDetector<>(options).detect(1.0, graph), InvalidValue);
+}

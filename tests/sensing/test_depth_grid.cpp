@@ -62,3 +62,10 @@ TEST_CASE("a depth grid needs an image and a cell", "[sensing]") {
   CHECK_THROWS_AS(DepthGrid(wall_at_two_metres, 0, 480), InvalidValue);
   CHECK_THROWS_AS(DepthGrid(wall_at_two_metres, 640, 480, 0, 3), InvalidValue);
 }
+
+TEST_CASE("an infinite depth is a hole", "[sensing][regression]") {
+  const auto endless = [](const Eigen::Vector2d&) -> std::optional<double> {
+    return std::numeric_limits<double>::infinity();
+  };
+  CHECK_FALSE(DepthGrid(endless, 640, 480)({320.0, 240.0}));
+}

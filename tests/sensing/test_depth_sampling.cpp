@@ -152,3 +152,14 @@ TEST_CASE("a box wider than an int is sampled as any other", "[sensing][regressi
   CHECK(RobustBoxDepth{}(flat, BoundingBox{-1e12, -1e12, 1e12, 1e12}) == 2.0);
   CHECK(samples == 24 * 24);
 }
+
+TEST_CASE("a share above 1 asks for the largest cluster", "[sensing][regression]") {
+  const auto flat = [](const Eigen::Vector2d& pixel) -> std::optional<double> {
+    return pixel.x() < box.center().x() ? 2.0 : 4.0;
+  };
+  RobustBoxDepth percent;
+  percent.min_cluster_share = 50.0;
+  RobustBoxDepth whole;
+  whole.min_cluster_share = 1.0;
+  CHECK(percent(flat, box) == whole(flat, box));
+}

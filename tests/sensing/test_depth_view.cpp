@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -130,4 +131,12 @@ TEST_CASE("a depth image that cannot be is refused", "[sensing]") {
   CHECK_THROWS_AS(View(&pixel, 1, 1, std::numeric_limits<double>::quiet_NaN()), InvalidValue);
   CHECK_THROWS_AS(View(&pixel, 1, 1, std::numeric_limits<double>::infinity()), InvalidValue);
   CHECK_THROWS_AS(depth_view(ImageFloat(), 1.0), InvalidValue);
+}
+
+TEST_CASE("a pixel just inside the border is the last one", "[sensing][regression]") {
+  const float pixels[] = {1.0F, 99.0F};  // the second is not of the image
+  const DepthView<float> view(pixels, 1, 1, 1.0);
+  const double inside = std::nextafter(0.5, 0.0);
+  CHECK(view({inside, 0.0}) == 1.0);
+  CHECK(view({0.0, inside}) == 1.0);
 }

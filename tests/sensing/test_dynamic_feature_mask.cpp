@@ -80,3 +80,9 @@ TEST_CASE("many features at once are the same one by one", "[sensing]") {
     CHECK(dropped[i] == mask(pixels[i], depth(pixels[i])));
   }
 }
+
+TEST_CASE("a box whose depth is infinite is one of unknown depth", "[sensing][regression]") {
+  RangedDetection endless = walker;
+  endless.z = std::numeric_limits<double>::infinity();
+  CHECK(DynamicFeatureMask({endless}, coco)({150.0, 200.0}, 9.0));
+}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <vector>
 
 #include <topobag/sensing/non_maximum_suppression.hpp>
@@ -20,4 +21,13 @@ TEST_CASE("non-maximum suppression stays within a class", "[sensing]") {
   CHECK(kept[0].confidence == 0.9);
   CHECK(kept[1].confidence == 0.4);
   CHECK(kept[2].label == ClassId{2});
+}
+
+TEST_CASE("a score that is not a number suppresses nothing", "[sensing][regression]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const BoundingBox box{0.0, 0.0, 10.0, 10.0};
+  const std::vector<Detection> kept =
+      suppress_non_maxima({{box, ClassId{1}, nan}, {box, ClassId{1}, 0.9}}, 0.45);
+  REQUIRE(kept.size() == 1);
+  CHECK(kept[0].confidence == 0.9);
 }

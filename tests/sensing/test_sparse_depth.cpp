@@ -42,3 +42,10 @@ TEST_CASE("a box has the depth of the object's points, not of the wall's", "[sen
   CHECK(ranged[1].z == 0.0);
   CHECK(ranged[2].z == 0.0);  // one point is too few
 }
+
+TEST_CASE("a pixel or a radius that is not a number has no depth", "[sensing][regression]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<DepthPoint> points{{{10.0, 10.0}, 1.0}, {{14.0, 10.0}, 2.0}};
+  CHECK_FALSE(SparseDepth(points)({nan, 10.0}));
+  CHECK_FALSE(SparseDepth(points, nan)({10.0, 10.0}));
+}

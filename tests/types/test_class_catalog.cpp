@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <clocale>
 #include <set>
 #include <string>
 
@@ -139,4 +140,20 @@ TEST_CASE("a refused addition leaves the catalog as it was", "[types]") {
   CHECK(catalog.size() == 1);
   CHECK_FALSE(catalog.find("window"));
   CHECK_FALSE(catalog.find("portal"));
+}
+
+TEST_CASE("the host's locale does not change what a name is", "[types][regression]") {
+  CHECK(detail::normalized_class_name("DINING\tTable_\xC9") == "dining table \xC9");
+  const std::string was = std::setlocale(LC_ALL, nullptr);
+  for (const char* const name : {"tr_TR.UTF-8", "de_DE.ISO-8859-1", "C.UTF-8"}) {
+    std::setlocale(LC_ALL, name);  // where the machine has it
+    CHECK(ClassCatalog::coco80().at("DINING TABLE") == ClassId{60});
+    CHECK(detail::normalized_class_name("\xC9") == "\xC9");
+  }
+  std::setlocale(LC_ALL, was.c_str());
+}
+
+TEST_CASE("an empty catalog says that it is", "[types]") {
+  CHECK(thrown<UnknownClass>([] { ClassCatalog().at("door"); }) ==
+        "unknown class 'door'; the catalog is empty");
 }

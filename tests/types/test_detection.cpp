@@ -20,6 +20,10 @@ struct RangedBox : ForeignBox {
 
 struct WrongLabel {};
 
+struct HeldLabel {
+  topobag::ClassId label{};
+};
+
 }  // namespace
 
 template <>
@@ -43,6 +47,13 @@ struct topobag::detection_traits<WrongLabel> {
   static double confidence(const WrongLabel&) { return 0.0; }
 };
 
+template <>
+struct topobag::detection_traits<HeldLabel> {
+  static BoundingBox box(const HeldLabel&) { return {}; }
+  static const ClassId& label(const HeldLabel& d) { return d.label; }
+  static double confidence(const HeldLabel&) { return 1.0; }
+};
+
 using namespace topobag;
 
 static_assert(is_detection_v<Detection>);
@@ -64,4 +75,8 @@ TEST_CASE("the library's own detection is handed out without a copy", "[types]")
   CHECK(&detection_traits<Detection>::box(detection) == &detection.box);
   CHECK(detection_traits<Detection>::label(detection) == ClassId{7});
   CHECK(detection_traits<Detection>::confidence(detection) == 0.25);
+}
+
+TEST_CASE("a label may be handed out by reference", "[types][regression]") {
+  STATIC_REQUIRE(is_detection_v<HeldLabel>);
 }

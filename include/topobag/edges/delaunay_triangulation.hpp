@@ -100,8 +100,9 @@ class DelaunayTriangulation {
   /// Takes a vertex out and returns it. No other index changes. O(d²), d its number of neighbours.
   Vertex remove(NodeIndex index) {
     const VertexHandle gone = handle(index);
-    free_.push_back(index);
+    free_.reserve(free_.size() + 1);
     Vertex vertex = std::move(*vertices_[value(index)]);
+    free_.push_back(index);
     vertices_[value(index)].reset();
     handles_[value(index)] = VertexHandle();
     triangulation_.remove(gone);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -40,13 +39,11 @@ struct SightingOptions {
 template <typename Detections = std::vector<RangedDetection>>
 KeyframeSighting sight_keyframe(double stamp, Detections detections, const PinholeCamera<>& camera,
                                 const ClassCatalog& catalog, const SightingOptions& options = {}) {
+  for (std::size_t i = 0; i < detections.size(); ++i) {  // by the caller's indices
+    detail::require_known(catalog, detections[i].label, i);
+  }
   if (detections.size() > options.max_detections) {
-    const auto rank = [](const RangedDetection& d) {
-      return std::isfinite(d.confidence) ? d.confidence : -1.0;
-    };
-    std::stable_sort(
-        detections.begin(), detections.end(),
-        [&](const RangedDetection& a, const RangedDetection& b) { return rank(a) > rank(b); });
+    std::stable_sort(detections.begin(), detections.end(), detail::IsSurer{});
     detections.resize(options.max_detections);
   }
   KeyframeSighting sighting;

@@ -59,8 +59,8 @@ class LocalGraph {
   /// @param T_previous_current  from this key frame's camera to the last added one's; ignored for
   /// the first
   /// @param view                the key frame's camera and occluders; `T_graph_camera` is ignored
-  /// Throws InvalidValue for a stamp that goes back and for a pose or a node (with its index) that
-  /// is not finite. O(objects · nodes).
+  /// Throws InvalidValue for a stamp that goes back, for a pose or a camera that is not finite,
+  /// and, with its index, for a node that a graph would refuse. O(objects² + objects · nodes).
   void add(double stamp, const std::vector<Node>& nodes, const Pose& T_previous_current,
            View<Scalar> view = {}) {
     if (!std::isfinite(stamp) || (!frames_.empty() && stamp < frames_.back().stamp)) {
@@ -69,6 +69,7 @@ class LocalGraph {
     if (!frames_.empty() && !T_previous_current.matrix().allFinite()) {
       throw InvalidValue("the relative pose is not finite");
     }
+    if (view.camera.fx != Scalar(0)) view.camera.validate();
     const std::vector<Node> sighted = placed(TopologyGraph<Scalar>(nodes));
     if (!frames_.empty()) move_to_frame(T_previous_current.inverse());
     forget_before(stamp - options_.window);
@@ -79,7 +80,7 @@ class LocalGraph {
     ++next_view_;
   }
 
-  /// The fused graph. `view_count()` of its views come with it. O(objects · views + builder).
+  /// The fused graph. `view_count()` of its views come with it. O(objects · views² + builder).
   template <typename Builder = KnnEdges>
   TopologyGraph<Scalar> graph(const Builder& builder = {}) const {
     std::vector<Node> nodes;
@@ -216,12 +217,13 @@ class LocalGraph {
                 const ObjectTrack<Scalar>& track_b, const Node& b) const {
     if (options_.merge(a, b)) return true;
     if (a.label != b.label) return false;
+    if (!(static_cast<double>(deviations_apart(a, b)) < options_.merge_gate)) return false;
     for (const auto& s : track_a.sightings) {
       for (const auto& t : track_b.sightings) {
         if (s.view == t.view) return false;
       }
     }
-    return static_cast<double>(deviations_apart(a, b)) < options_.merge_gate;
+    return true;
   }
 
   /// Views that saw the object, and views that saw it or should have.

@@ -25,7 +25,7 @@ template <typename Scalar>
 Scalar deviations_apart(const SemanticNode<Scalar>& a, const SemanticNode<Scalar>& b) {
   const typename SemanticNode<Scalar>::Vector3 delta = *a.position - *b.position;
   const Scalar distance2 = delta.squaredNorm();
-  if (!(distance2 > Scalar(0))) return Scalar(0);
+  if (distance2 <= Scalar(0)) return Scalar(0);
   const Scalar variance = delta.dot((a.covariance + b.covariance) * delta) / distance2;
   return variance > Scalar(0) ? std::sqrt(distance2 / variance)
                               : std::numeric_limits<Scalar>::infinity();

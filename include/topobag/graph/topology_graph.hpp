@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <topobag/edges/edge_list.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/view.hpp>
@@ -31,12 +33,13 @@ class TopologyGraph {
   /// @param edges  made canonical here; an edge at a node without a position has no length and is
   /// left out
   /// @param views  the cameras that looked for the nodes; may be empty (see `View`)
-  /// Throws InvalidValue with the node's or edge's index for a number that is not finite, an edge
-  /// from a node to itself, or an end beyond the nodes. O(n + m log m).
+  /// Throws InvalidValue with the node's or edge's index for a number that is not finite, a
+  /// covariance that is neither zero nor positive definite, an edge from a node to itself, or an
+  /// end beyond the nodes. O(n + m log m).
   explicit TopologyGraph(std::vector<Node> nodes, EdgeList edges = {},
                          std::vector<View<Scalar>> views = {})
       : nodes_(std::move(nodes)), views_(std::move(views)) {
-    for (std::size_t i = 0; i < nodes_.size(); ++i) require_finite(nodes_[i], i);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) require_valid(nodes_[i], i);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (edges[i].a == edges[i].b || value(edges[i].a) >= nodes_.size() ||
           value(edges[i].b) >= nodes_.size()) {
@@ -77,7 +80,7 @@ class TopologyGraph {
   }
 
  private:
-  static void require_finite(const Node& node, std::size_t index) {
+  static void require_valid(const Node& node, std::size_t index) {
     const bool finite = (!node.pixel || node.pixel->allFinite()) && std::isfinite(node.z) &&
                         (!node.position || node.position->allFinite()) &&
                         node.covariance.allFinite() && node.size.allFinite() &&
@@ -86,6 +89,18 @@ class TopologyGraph {
       throw InvalidValue("node " + std::to_string(index) + " holds a number that is not finite",
                          index);
     }
+    if (!node.covariance.isZero(Scalar(0)) && !is_positive_definite(node.covariance)) {
+      throw InvalidValue("node " + std::to_string(index) +
+                             " has a covariance that is not positive definite; zero = not modelled",
+                         index);
+    }
+  }
+
+  /// By Sylvester's criterion.
+  static bool is_positive_definite(const typename Node::Matrix3& matrix) noexcept {
+    const Eigen::Matrix3d m = matrix.template cast<double>();
+    return m(0, 0) > 0.0 && m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0) > 0.0 &&
+           m.col(0).dot(m.col(1).cross(m.col(2))) > 0.0;
   }
 
   std::vector<Node> nodes_;

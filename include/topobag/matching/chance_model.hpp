@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -63,11 +64,12 @@ struct ChanceModel {
         significance -= confusion ? confusion->cost(p.label, q.label) : relabeling;
       }
       for (Eigen::Index side = 0; side < 2; ++side) {
-        significance += log10_size_factor(static_cast<double>(p.size(side)),
-                                          static_cast<double>(q.size(side)));
+        significance +=
+            log10_size_factor(static_cast<double>(p.size(side)), static_cast<double>(q.size(side)));
       }
     }
-    return significance;
+    // Not so where rounding leaves the covariance of a pose, or of a pair, without a root.
+    return std::isfinite(significance) ? significance : std::numeric_limits<double>::lowest();
   }
 
   /// log10 P(ratio of two widths, or heights | one object) / P(ratio | two objects of a class).

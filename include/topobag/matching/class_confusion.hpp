@@ -17,7 +17,7 @@ inline namespace v0 {
 struct ConfusionPrior {
   double same = 9.0;         ///< that an object keeps its class
   double other = 1.0;        ///< that it gets another one, shared evenly by
-  std::size_t classes = 80;  ///< the classes there are, less one
+  std::size_t classes = 80;  ///< the number of classes, this one with them
 };
 
 /// How often an object that the map calls one class is called another by the query's detector:

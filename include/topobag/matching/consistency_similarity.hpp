@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <topobag/assert.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/match_nodes.hpp>
 
@@ -106,8 +107,8 @@ struct ConsistencySimilarity {
   }
 
   template <typename Graph>
-  double agreement(const Graph& p, const Graph& q,
-                   const std::vector<Correspondence>& pairs) const {
+  double agreement(const Graph& p, const Graph& q, const std::vector<Correspondence>& pairs) const {
+    TOPOBAG_ASSERT(sigma > 0.0);
     if (pairs.size() < 2) return 1.0;
     double sum = 0.0;
     std::size_t count = 0;

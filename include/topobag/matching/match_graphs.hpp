@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -85,11 +86,19 @@ class PoseSearch {
       return std::make_tuple(b.second.size(), a.first, std::cref(a.second)) <
              std::make_tuple(a.second.size(), b.first, std::cref(b.second));
     });
-    if (hypotheses.size() > options_.max_hypotheses) hypotheses.resize(options_.max_hypotheses);
+    // Those that are large enough come first.
+    const auto worth =
+        std::partition_point(hypotheses.begin(), hypotheses.end(), [&](const auto& hypothesis) {
+          return hypothesis.second.size() + options_.slack >= largest;
+        });
+    hypotheses.erase(worth, hypotheses.end());
+    if (hypotheses.size() > options_.max_hypotheses) {
+      hypotheses.resize(options_.max_hypotheses);
+      match.complete = false;
+    }
 
     std::vector<Settled> settled;
     for (const auto& [rms, clique] : hypotheses) {
-      if (clique.size() + options_.slack < largest) break;
       if (auto pose = settle(clique, settled)) settled.push_back(std::move(*pose));
     }
     std::vector<RelativePose> poses;
@@ -104,7 +113,7 @@ class PoseSearch {
     for (const std::size_t i : best_first) {
       const bool seen =
           std::any_of(match.poses.begin(), match.poses.end(),
-                      [&](const RelativePose& better) { return !distinct(poses[i], better); });
+                      [&](const RelativePose& better) { return stands_for(better, poses[i]); });
       if (!seen) match.poses.push_back(std::move(poses[i]));
     }
     return match;
@@ -143,8 +152,8 @@ class PoseSearch {
       if (supporters.size() < 3 || is_known) return std::nullopt;
       const bool same = supporters == pairs;
       pairs = std::move(supporters);
-      if (same || round == max_rounds) break;
       points = points_of(pairs);
+      if (same || round == max_rounds) break;
     }
     return Settled{
         std::move(pairs),
@@ -198,10 +207,13 @@ class PoseSearch {
     return supporters;
   }
 
-  bool distinct(const RelativePose& a, const RelativePose& b) const {
-    const Eigen::Isometry3d between = a.T_candidate_query.inverse() * b.T_candidate_query;
-    return between.translation().norm() > options_.distinct_translation ||
-           Eigen::AngleAxisd(between.linear()).angle() > options_.distinct_rotation;
+  /// Whether a pose need not be told beside a better one: they are the same, and the better one is
+  /// no less determined.
+  bool stands_for(const RelativePose& better, const RelativePose& pose) const {
+    if (better.degenerate && !pose.degenerate) return false;
+    const Eigen::Isometry3d between = better.T_candidate_query.inverse() * pose.T_candidate_query;
+    return between.translation().norm() <= options_.distinct_translation &&
+           Eigen::AngleAxisd(between.linear()).angle() <= options_.distinct_rotation;
   }
 
   static constexpr int max_rounds = 3;  // inliers rarely change after the second

@@ -60,8 +60,9 @@ inline std::vector<Correspondence> pairs_of(const ConsistencyGraph& graph,
 ///
 /// Found exactly, by branch and bound over the maximal cliques of the consistency graph, unless the
 /// deterministic budget ends first. Distances alone cannot tell a layout from its mirror image: see
-/// `match_graphs`. Does not change under a permutation of the nodes or a rigid motion of either
-/// graph. Exponential at worst; microseconds for the graphs of real frames.
+/// `match_graphs`. Its size and r.m.s. do not change under a permutation of the nodes or a rigid
+/// motion of either graph; of sets equal in both, the order of the nodes decides. Exponential at
+/// worst; microseconds for the graphs of real frames.
 template <typename Scalar>
 NodeMatching match_nodes(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
                          const MatchNodesOptions& options = {}) {

@@ -42,7 +42,7 @@ struct MissingObjects {
                                               ///< of others, the object's existence
 
   /// The missing objects of both graphs under a pose, the candidate's first, ascending. O(nodes ·
-  /// views).
+  /// (nodes + occluders of the views)).
   template <typename Scalar>
   std::vector<MissingObject> find(const TopologyGraph<Scalar>& candidate,
                                   const TopologyGraph<Scalar>& query,

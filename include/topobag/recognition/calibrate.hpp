@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <topobag/recognition/calibration.hpp>
@@ -63,7 +64,7 @@ Calibration calibrate(const Relocalizer<Bag>& relocalizer, const std::vector<Key
       const Recognition found = relocalizer.localize(*graph, recognition);
       if (!found.candidates.empty()) calibration.add_negative(false_score(found));
     }
-    graphs.push_back(std::move(*graph));
+    if (graphs.size() < options.null_look_ups) graphs.push_back(std::move(*graph));
   }
   if (calibration.source() == CalibrationSource::certain_negatives || graphs.empty()) {
     return calibration;
@@ -72,7 +73,8 @@ Calibration calibrate(const Relocalizer<Bag>& relocalizer, const std::vector<Key
   for (std::size_t i = 0; i < options.null_look_ups; ++i) {
     const auto seed = options.seed + static_cast<std::uint32_t>(i);
     const auto layout = permuted_layout(graphs[i % graphs.size()], seed);
-    calibration.add_null(false_score(relocalizer.localize(layout, recognition)));
+    const Recognition found = relocalizer.localize(layout, recognition);
+    if (!found.candidates.empty()) calibration.add_null(false_score(found));
   }
   return calibration;
 }

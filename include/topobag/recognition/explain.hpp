@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +21,22 @@ namespace detail {
 
 inline std::string class_name(const ClassCatalog& catalog, ClassId label) {
   return catalog.contains(label) ? catalog.name(label) : "class " + std::to_string(value(label));
+}
+
+/// Whether the graphs have the nodes that the report names: a candidate may be another by now.
+template <typename Graph>
+bool speaks_of(const CandidateReport& report, const Graph& candidate, const Graph& query) {
+  if (!report.pose) return true;
+  const std::vector<Correspondence>& inliers = report.pose->inliers;
+  const std::vector<MissingObject>& missing = report.pose->missing;
+  return std::all_of(inliers.begin(), inliers.end(),
+                     [&](const Correspondence& pair) {
+                       return value(pair.candidate) < candidate.size() &&
+                              value(pair.query) < query.size();
+                     }) &&
+         std::all_of(missing.begin(), missing.end(), [&](const MissingObject& object) {
+           return value(object.node) < (object.of_candidate ? candidate : query).size();
+         });
 }
 
 /// The stages in the order of `judge_candidate`; `best_margin` is the accepted candidate's.
@@ -81,13 +97,14 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
                                        const TopologyGraph<Scalar>& candidate,
                                        const TopologyGraph<Scalar>& query,
                                        const ClassCatalog& catalog,
-                                       const RecognitionOptions& options = {},
+                                       const RecognitionOptions& options,
                                        std::optional<double> best_margin = std::nullopt) {
   CandidateExplanation explanation;
   explanation.id = report.id;
   explanation.verdict = report.verdict;
   explanation.similarity = report.similarity;
   explanation.confidence = report.confidence;
+  explanation.complete = report.complete;
   explanation.stages = detail::stages_of(report, options, best_margin);
   if (!report.pose) return explanation;
   const RelativePose& pose = *report.pose;
@@ -121,14 +138,16 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
 /// Why `query` was or was not recognised: for every candidate the stages it passed and failed, with
 /// numbers and objects by name.
 ///
-/// @param bag      gives the candidates' graphs by `find`; one that is gone since is passed over
+/// @param bag      gives the candidates' graphs by `find`; one that is gone since, or has fewer
+/// nodes
+///                 than its report speaks of, is passed over
 /// @param query    the graph that was looked up
 /// @param options  those of the look-up
 /// O(candidates · n · k).
 template <typename Bag>
 Explanation explain(const Recognition& recognition, const Bag& bag,
                     const typename Bag::Graph& query, const ClassCatalog& catalog,
-                    const RecognitionOptions& options = {}) {
+                    const RecognitionOptions& options) {
   Explanation explanation;
   explanation.objects = query.size();
   explanation.usable = recognition.usable;
@@ -136,7 +155,7 @@ Explanation explain(const Recognition& recognition, const Bag& bag,
       recognition ? std::make_optional(recognition.accepted->margin()) : std::nullopt;
   for (const CandidateReport& report : recognition.candidates) {
     const auto candidate = bag.find(report.id);
-    if (!candidate) continue;
+    if (!candidate || !detail::speaks_of(report, *candidate, query)) continue;
     explanation.candidates.push_back(
         explain_candidate(report, *candidate, query, catalog, options, best_margin));
   }

@@ -64,6 +64,7 @@ struct CandidateExplanation {
   Verdict verdict = Verdict::no_agreement;  ///< how far it came
   double similarity = 0.0;                  ///< of the retrieval
   std::optional<double> confidence;         ///< P(true), when the decision is calibrated
+  bool complete = true;                     ///< false when a budget ended the search for poses
   std::vector<ExplainedStage> stages;       ///< in the order in which they are asked
   std::vector<ExplainedMatch> matched;      ///< under the pose that was judged
   std::vector<ExplainedMissing> missing;    ///< expected and not seen
@@ -94,6 +95,9 @@ inline std::string to_string(const CandidateExplanation& candidate) {
   if (candidate.confidence) out << ", P(true) " << *candidate.confidence;
   out.precision(2);
   out << ")\n";
+  if (!candidate.complete) {
+    out << "  the search was cut short (max_pairs, max_steps or max_hypotheses)\n";
+  }
   for (const ExplainedStage& stage : candidate.stages) {
     out << "  " << (stage.passed ? "passed" : "failed") << "  " << stage.name << ": " << stage.value
         << stage.unit << " of " << (stage.at_least ? "at least " : "at most ") << stage.asked

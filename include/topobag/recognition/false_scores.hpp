@@ -31,13 +31,10 @@ struct ScoreThreshold {
 /// Within the scores seen, the rate of a threshold is the conformal (1 + those at or above it) /
 /// (1 + all): of a further look-up of the same kind it is the probability to be accepted, or more.
 /// Beyond them the scores' upper tail goes on exponentially, as that of a −log10 of a probability
-/// does: the mean excess over the least of the `tail_share` best gives its slope, which is never
+/// does: the mean excess over the least of the best tenth gives its slope, which is never
 /// taken for steeper than the chance model's own, 10^−score.
 class FalseScores {
  public:
-  /// `tail_share`: of the look-ups, whose scores make the tail.
-  explicit FalseScores(double tail_share = 0.1) : tail_share_(tail_share) {}
-
   /// @param score  the least threshold that would have refused the look-up; nothing when every one
   /// does. Throws InvalidValue when it is not finite. O(n).
   void add(std::optional<double> score) {
@@ -51,7 +48,7 @@ class FalseScores {
   /// All look-ups, the ones without a score too.
   std::size_t size() const noexcept { return look_ups_; }
 
-  /// The share of false look-ups that a threshold accepts. Falls, never to 0. O(n).
+  /// The share of false look-ups that a threshold accepts. Falls with it. O(n).
   FalseAcceptRate rate(double threshold) const {
     const auto above =
         std::upper_bound(scores_.begin(), scores_.end(), threshold, std::greater<>());
@@ -95,7 +92,7 @@ class FalseScores {
   Tail upper_tail() const {
     const double least_excess = 1.0 / std::log(10.0);
     if (scores_.empty()) return {0.0, 1.0 / (count() + 1.0), least_excess};
-    const auto wanted = static_cast<std::size_t>(std::ceil(tail_share_ * count()));
+    const auto wanted = static_cast<std::size_t>(std::ceil(tail_share * count()));
     const std::size_t size = std::min(scores_.size(), std::max<std::size_t>(wanted, 10));
     const double start = scores_[size - 1];
     double excess = 0.0;
@@ -104,7 +101,8 @@ class FalseScores {
             std::max(least_excess, excess / static_cast<double>(size))};
   }
 
-  double tail_share_;
+  static constexpr double tail_share = 0.1;  // of the look-ups, whose scores make the tail
+
   std::size_t look_ups_ = 0;
   std::vector<double> scores_;  // falling
 };

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include <topobag/bag/bag_concepts.hpp>
@@ -44,11 +44,15 @@ class LoopDetector {
   /// The same, to be changed.
   Bag& bag() noexcept { return relocalizer_.map(); }
 
-  /// Looks the key frame up among those at least `min_gap` older. Nothing is added.
+  /// Looks the key frame up among those at least `min_gap` older; entries without a stamp are never
+  /// asked. Nothing is added. Throws InvalidValue when the stamp or the gap is not finite.
   Recognition detect(double stamp, const Graph& graph) const {
     RecognitionOptions options = relocalizer_.options();
     std::optional<double>& max_stamp = options.retrieval.among.max_stamp;
     const double latest = stamp - min_gap_;
+    if (!std::isfinite(latest)) {
+      throw InvalidValue("a key frame's stamp and the least gap between visits must be finite");
+    }
     max_stamp = max_stamp ? std::min(*max_stamp, latest) : latest;
     return relocalizer_.localize(graph, options);
   }

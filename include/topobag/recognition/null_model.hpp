@@ -15,7 +15,8 @@ inline namespace v0 {
 /// The same objects in a layout that is nowhere: their coordinates along x are permuted among them,
 /// and those along z by another permutation. Heights stay, as things of one kind stand equally high
 /// everywhere; whole positions would leave too much of the layout as it was. Nodes without a
-/// position stay as they are. The same for a seed on every platform. O(n).
+/// position stay as they are; so do pixels, sizes and covariances. Edges are left out. The same for
+/// a seed on every platform. O(n).
 template <typename Scalar>
 TopologyGraph<Scalar> permuted_layout(const TopologyGraph<Scalar>& graph, std::uint32_t seed) {
   auto nodes = graph.nodes();

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -24,7 +22,7 @@ inline namespace v0 {
 /// When a match is believed. One set for all data; see the README for how it was chosen.
 struct DecisionOptions {
   double min_score = 0.65;  ///< −log10 of the odds that chance made the match
-  double min_lead = 1.0;   ///< in support, over every other distinct pose in the same candidate
+  double min_lead = 1.0;    ///< in support, over every other distinct pose in the same candidate
 
   std::optional<Calibration> calibration{};  ///< with it, in place of `min_score`,
   double false_accept_rate = 0.01;           ///< share of look-ups of other places to bear
@@ -62,7 +60,7 @@ template <typename Pose>
 void prefer_determined(std::vector<Pose>& poses, double threshold) {
   const auto determined =
       std::find_if(poses.begin(), poses.end(), [](const Pose& pose) { return !pose.degenerate; });
-  if (determined == poses.end() || determined->score() < threshold) return;
+  if (determined == poses.end() || !(determined->score() >= threshold)) return;
   std::rotate(poses.begin(), determined, determined + 1);
 }
 
@@ -70,7 +68,7 @@ template <typename Report>
 Verdict judge_candidate(const Report& report, const DecisionOptions& options) {
   if (!report.pose) return Verdict::no_agreement;
   if (report.pose->degenerate) return Verdict::degenerate;
-  if (report.margin() < 0.0) return Verdict::chance;
+  if (!(report.margin() >= 0.0)) return Verdict::chance;
   const bool ambiguous = std::any_of(
       report.other_poses.begin(), report.other_poses.end(),
       [&](const auto& other) { return is_rival(other, *report.pose, options.min_lead); });
@@ -110,11 +108,13 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
                                 std::make_move_iterator(match.poses.end()));
       for (const Correspondence& pair : report.pose->inliers)
         ++report.matched[query.node(pair.query).label];
-      if (decision.calibration) {
-        report.confidence = decision.calibration->probability(report.pose->score());
-      }
     }
     report.verdict = detail::judge_candidate(report, decision);
+    // A calibration knows the scores of matches with one clear pose, and says nothing of others.
+    if (decision.calibration && report.pose && report.verdict != Verdict::degenerate &&
+        report.verdict != Verdict::ambiguous) {
+      report.confidence = decision.calibration->probability(report.pose->score());
+    }
     recognition.candidates.push_back(std::move(report));
   }
   auto& reports = recognition.candidates;

@@ -69,7 +69,7 @@ class DepthGrid {
       const Eigen::Vector2d within((i % samples + 0.5) / samples, (i / samples + 0.5) / samples);
       const Eigen::Vector2d pixel = (cell + within).cwiseProduct(cell_).array() - 0.5;
       const std::optional<double> metres = depth(pixel);
-      if (!metres || !(*metres > 0.0)) continue;
+      if (!metres || !(*metres > 0.0) || !std::isfinite(*metres)) continue;
       least = std::min(least, *metres);
       ++measured;
     }

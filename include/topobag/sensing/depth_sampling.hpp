@@ -46,7 +46,7 @@ inline double nearest_cluster(const std::vector<double>& depths, double cluster_
     window_end[begin] = end;
     largest = std::max(largest, end - begin);
   }
-  const double enough = min_cluster_share * static_cast<double>(largest);
+  const double enough = std::min(min_cluster_share, 1.0) * static_cast<double>(largest);
   std::size_t first = 0;
   while (static_cast<double>(window_end[first] - first) < enough) ++first;
   // The first window that is dense enough may only touch its cluster: go on to the fullest one
@@ -70,7 +70,7 @@ struct RobustBoxDepth {
   double min_valid_share = 0.1;  ///< with fewer measured samples there is no depth
   double cluster_width = 0.06;   ///< a cluster spans this share of its depth, and at least 5 cm
   double min_cluster_share =
-      0.5;  ///< nearest cluster with this share of the largest one's samples wins
+      0.5;  ///< nearest cluster with this share (0 to 1) of the largest one's samples wins
 
   template <typename Depth>
   std::optional<double> operator()(const Depth& depth, const BoundingBox& box) const {

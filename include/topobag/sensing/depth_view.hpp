@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -63,8 +64,11 @@ class DepthView {
           pixel.y() < height_ - 0.5)) {
       return std::nullopt;
     }
-    const auto column = static_cast<std::ptrdiff_t>(std::floor(pixel.x() + 0.5));
-    const auto row = static_cast<std::ptrdiff_t>(std::floor(pixel.y() + 0.5));
+    // Just below a half, the sum rounds up.
+    const auto column = std::min(static_cast<std::ptrdiff_t>(std::floor(pixel.x() + 0.5)),
+                                 width_ - std::ptrdiff_t{1});
+    const auto row = std::min(static_cast<std::ptrdiff_t>(std::floor(pixel.y() + 0.5)),
+                              height_ - std::ptrdiff_t{1});
     const double metres = static_cast<double>(data_[row * row_stride_ + column]) * metres_per_unit_;
     if (!(metres > 0.0) || !std::isfinite(metres)) return std::nullopt;
     return metres;

@@ -50,15 +50,10 @@ class DynamicFeatureMask {
     }
     for (std::size_t i = 0; i < detections.size(); ++i) {
       const RangedDetection& detection = detections[i];
-      if (!catalog.contains(detection.label)) {
-        throw UnknownClass("detection " + std::to_string(i) + " has class id " +
-                               std::to_string(value(detection.label)) +
-                               ", which the catalog does not hold",
-                           i);
-      }
+      detail::require_known(catalog, detection.label, i);
       if (!detection.box.is_valid() || !(detection.confidence >= options.min_confidence)) continue;
       if (!options.levels.contains(catalog.dynamics(detection.label))) continue;
-      Region region{detection.box, detection.z};
+      Region region{detection.box, std::isfinite(detection.z) ? detection.z : 0.0};
       region.box.x1 -= options.margin;
       region.box.y1 -= options.margin;
       region.box.x2 += options.margin;

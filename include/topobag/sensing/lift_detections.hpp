@@ -7,12 +7,10 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <topobag/error.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
 #include <topobag/sensing/depth_view.hpp>
 #include <topobag/sensing/node_noise.hpp>
@@ -122,11 +120,7 @@ LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth
         given.is_valid() && size_known ? given.clipped(camera.width, camera.height) : given;
     const double confidence = Traits::confidence(detection);
     const ClassId label = Traits::label(detection);
-    if (!catalog.contains(label)) {
-      throw UnknownClass("detection " + std::to_string(index) + " has class id " +
-                             std::to_string(value(label)) + ", which the catalog does not hold",
-                         index);
-    }
+    detail::require_known(catalog, label, index);
     if (!box.is_valid() || !std::isfinite(confidence)) {
       ++lifted.dropped.invalid;
     } else if (confidence < options.min_confidence) {

@@ -14,9 +14,7 @@ inline namespace v0 {
 /// @param detections  a vector of `Detection`
 template <typename Detections = std::vector<Detection>>
 Detections suppress_non_maxima(Detections detections, double max_iou) {
-  std::stable_sort(
-      detections.begin(), detections.end(),
-      [](const Detection& a, const Detection& b) { return a.confidence > b.confidence; });
+  std::stable_sort(detections.begin(), detections.end(), detail::IsSurer{});
   Detections kept;
   for (const Detection& detection : detections) {
     const bool suppressed = std::any_of(kept.begin(), kept.end(), [&](const Detection& better) {

@@ -44,7 +44,7 @@ class SparseDepth {
     double nearest2 = radius_ * radius_;
     for (const DepthPoint& point : points_) {
       const double distance2 = (point.pixel - pixel).squaredNorm();
-      if (z ? distance2 >= nearest2 : distance2 > nearest2) continue;
+      if (!(z ? distance2 < nearest2 : distance2 <= nearest2)) continue;  // NaN goes here, too
       nearest2 = distance2;
       z = point.z;
     }
@@ -63,7 +63,7 @@ struct SparseBoxDepth {
   std::size_t min_points = 3;  ///< with fewer there is no depth; >= 1
   double cluster_width = 0.1;  ///< a cluster spans this share of its depth, and at least 5 cm
   double min_cluster_share =
-      0.5;  ///< nearest cluster with this share of the largest one's points wins
+      0.5;  ///< nearest cluster with this share (0 to 1) of the largest one's points wins
 
   std::optional<double> operator()(const SparseDepth& depth, const BoundingBox& box) const {
     const BoundingBox middle =

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/assert.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/similarity/class_vectors.hpp>
 #include <topobag/similarity/class_weights.hpp>
@@ -30,6 +31,7 @@ struct AffinityCosine {
 
   template <typename Scalar>
   NodeHistograms descriptor(const TopologyGraph<Scalar>& graph) const {
+    TOPOBAG_ASSERT(sigma > 0.0);
     std::vector<std::vector<SparseHistogram::Entry>> rows(graph.size());
     const auto add = [&](NodeIndex row, NodeIndex other, double affinity) {
       const SparseHistogram vector = vectors(graph.node(other).label);

@@ -43,12 +43,12 @@ class ClassWeights {
     return weights;
   }
 
-  /// Sets one weight; 0 makes the class count for nothing. Throws InvalidValue unless it is finite
-  /// and not negative.
+  /// Sets one weight; 0 makes the class count for nothing. Throws InvalidValue unless it lies in
+  /// [0, 10¹⁰⁰]: sums of products of weights have to be finite.
   void set(ClassId label, double weight) {
-    if (!std::isfinite(weight) || weight < 0.0) {
+    if (!(weight >= 0.0 && weight <= 1e100)) {
       throw InvalidValue("the weight of class " + std::to_string(value(label)) +
-                         " has to be finite and not negative");
+                         " has to be finite (1e100 at most) and not negative");
     }
     weights_[label] = weight;
   }

@@ -37,7 +37,8 @@ class ClassCatalog {
   /// and hand-held things medium; the rest low.
   static ClassCatalog coco80() { return from(detail::coco80_classes); }
 
-  /// Adds a class. Throws InvalidId if the id or the (normalised) name is taken.
+  /// Adds a class. Throws InvalidId if the id or the (normalised) name is taken, InvalidValue for a
+  /// name without a character.
   void add(ClassId id, std::string name, Dynamics dynamics) {
     const std::string key = detail::normalized_class_name(name);
     if (classes_.count(id) != 0) {
@@ -49,7 +50,8 @@ class ClassCatalog {
     ids_.emplace(key, id);
   }
 
-  /// Adds a second name for a known class. Throws UnknownClass, or InvalidId if `alias` is taken.
+  /// Adds a second name for a known class. Throws UnknownClass, InvalidId if `alias` is taken, or
+  /// InvalidValue when it has no character.
   void add_alias(std::string_view alias, std::string_view name) {
     const ClassId id = at(name);
     const std::string key = detail::normalized_class_name(alias);
@@ -67,7 +69,8 @@ class ClassCatalog {
   /// The class of a name. Throws UnknownClass, which lists the nearest known names.
   ClassId at(std::string_view name) const {
     if (const std::optional<ClassId> id = find(name)) return *id;
-    std::string message = "unknown class '" + std::string(name) + "'; nearest known:";
+    std::string message = "unknown class '" + std::string(name) + "'";
+    message += classes_.empty() ? "; the catalog is empty" : "; nearest known:";
     for (const std::string& near : nearest(name)) message += " '" + near + "'";
     throw UnknownClass(message);
   }
@@ -120,7 +123,8 @@ class ClassCatalog {
   }
 
   void require_free(const std::string& key, std::string_view name) const {
-    if (key.empty()) throw InvalidValue("a class name needs at least one letter");
+    if (key.empty())
+      throw InvalidValue("a class name needs a character other than space, '_' and '-'");
     if (ids_.count(key) != 0) throw InvalidId("class name '" + std::string(name) + "' is taken");
   }
 
@@ -140,6 +144,18 @@ class ClassCatalog {
   std::map<ClassId, Class> classes_;
   std::map<std::string, ClassId> ids_;  ///< normalised names and aliases
 };
+
+namespace detail {
+
+/// Throws UnknownClass with the detection's index when the catalog does not hold its class.
+inline void require_known(const ClassCatalog& catalog, ClassId label, std::size_t detection) {
+  if (catalog.contains(label)) return;
+  throw UnknownClass("detection " + std::to_string(detection) + " has class id " +
+                         std::to_string(value(label)) + ", which the catalog does not hold",
+                     detection);
+}
+
+}  // namespace detail
 
 }  // namespace v0
 }  // namespace topobag

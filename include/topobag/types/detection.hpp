@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -40,18 +42,33 @@ struct detection_traits<Detection> {
 
 namespace detail {
 
+/// Orders detections, most confident first. A score that is not finite comes last: NaN has no
+/// order.
+struct IsSurer {
+  template <typename D>
+  bool operator()(const D& a, const D& b) const noexcept {
+    return rank(a.confidence) > rank(b.confidence);
+  }
+
+ private:
+  static double rank(double confidence) noexcept {
+    return std::isfinite(confidence) ? confidence : std::numeric_limits<double>::lowest();
+  }
+};
+
 template <typename T, typename = void>
 struct is_detection : std::false_type {};
 
 template <typename T>
 struct is_detection<
-    T,
-    std::enable_if_t<
-        std::is_convertible_v<decltype(detection_traits<T>::box(std::declval<const T&>())),
-                              BoundingBox> &&
-        std::is_same_v<decltype(detection_traits<T>::label(std::declval<const T&>())), ClassId> &&
-        std::is_convertible_v<decltype(detection_traits<T>::confidence(std::declval<const T&>())),
-                              double>>> : std::true_type {};
+    T, std::enable_if_t<
+           std::is_convertible_v<decltype(detection_traits<T>::box(std::declval<const T&>())),
+                                 BoundingBox> &&
+           std::is_convertible_v<decltype(detection_traits<T>::label(std::declval<const T&>())),
+                                 ClassId> &&
+           std::is_convertible_v<
+               decltype(detection_traits<T>::confidence(std::declval<const T&>())), double>>>
+    : std::true_type {};
 
 template <typename T, typename = void>
 struct is_ranged_detection : std::false_type {};

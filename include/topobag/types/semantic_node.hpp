@@ -24,13 +24,14 @@ struct SemanticNode {
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
   using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
 
-  ClassId label{};                       ///< class, c of eq. 1
-  std::optional<Vector2> pixel;          ///< box centre (u, v), px; absent behind the camera
-  Scalar z = Scalar(0);                  ///< depth, m; 0 = unknown
-  std::optional<Vector3> position;       ///< (X, Y, Z) in the camera frame, m; absent without depth
-  Matrix3 covariance = Matrix3::Zero();  ///< of `position`, m²; zero = not modelled
-  Vector2 size = Vector2::Zero();        ///< extent parallel to the image, m; 0 = unknown
-  Scalar confidence = Scalar(1);         ///< detector's score in [0, 1]
+  ClassId label{};                  ///< class, c of eq. 1
+  std::optional<Vector2> pixel;     ///< box centre (u, v), px; absent behind the camera
+  Scalar z = Scalar(0);             ///< depth, m; 0 = unknown
+  std::optional<Vector3> position;  ///< (X, Y, Z) in the camera frame, m; absent without depth
+  Matrix3 covariance =
+      Matrix3::Zero();             ///< of `position`, m², positive definite; zero = not modelled
+  Vector2 size = Vector2::Zero();  ///< extent parallel to the image, m; 0 = unknown
+  Scalar confidence = Scalar(1);   ///< detector's score in [0, 1]
   Scalar existence = Scalar(1);  ///< share of the frames that should have shown it and did, (0, 1]
 };
 

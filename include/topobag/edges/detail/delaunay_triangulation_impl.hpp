@@ -45,10 +45,12 @@ std::vector<CoincidentInput> DelaunayTriangulation<Vertex, Hint>::bulk_load(
 template <typename Vertex, typename Hint>
 NodeIndex DelaunayTriangulation<Vertex, Hint>::insert_at(Vertex vertex, const Point& point,
                                                          FaceHandle start) {
-  if (free_.empty()) {  // before the triangulation changes: this may throw
-    free_.push_back(node_index(vertices_.size()));
+  if (free_.empty()) {  // before the triangulation changes: this may throw, and be tried again
+    const NodeIndex fresh = node_index(vertices_.size());
+    free_.reserve(1);
+    handles_.resize(vertices_.size() + 1);
     vertices_.emplace_back();
-    handles_.emplace_back();
+    free_.push_back(fresh);
   }
   const std::size_t known = size();
   const VertexHandle inserted = triangulation_.insert(point, start);

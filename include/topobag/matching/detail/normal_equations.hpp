@@ -77,7 +77,8 @@ class NormalEquations {
     g_turn_ += moved.cross(pull);
   }
 
-  static Matrix3 cross_columns(const Vector3& v, const Matrix3& columns) {
+  template <typename Columns>
+  static Matrix3 cross_columns(const Vector3& v, const Eigen::MatrixBase<Columns>& columns) {
     Matrix3 result;
     for (Eigen::Index i = 0; i < 3; ++i) result.col(i) = v.cross(columns.col(i));
     return result;

@@ -14,12 +14,11 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// The largest Σ gain(i, j) over one-to-one pairs of items of equal labels; calls
-/// `visit(i, j, gain)` for each pair of that assignment, ascending label.
+/// The largest Σ gain(i, j) over one-to-one pairs of items of equal labels.
 /// Preconditions: both label lists ascend; gains are finite. O(Σ r²c) over the classes.
-template <typename Gain, typename Visit>
-double assigned_gain(const std::vector<ClassId>& p, const std::vector<ClassId>& q, const Gain& gain,
-                     const Visit& visit) {
+template <typename Gain>
+double assigned_gain(const std::vector<ClassId>& p, const std::vector<ClassId>& q,
+                     const Gain& gain) {
   double sum = 0.0;
   for (auto p_begin = p.begin(); p_begin != p.end();) {
     const auto p_end = std::upper_bound(p_begin, p.end(), *p_begin);
@@ -36,20 +35,11 @@ double assigned_gain(const std::vector<ClassId>& p, const std::vector<ClassId>& 
     const auto column_of = best_assignment(gains);
     for (std::size_t i = 0; i < column_of.size(); ++i) {
       if (!column_of[i]) continue;
-      const double gained =
-          gains(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(*column_of[i]));
-      visit(first_p + i, first_q + *column_of[i], gained);
-      sum += gained;
+      sum += gains(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(*column_of[i]));
     }
     p_begin = p_end;
   }
   return sum;
-}
-
-template <typename Gain>
-double assigned_gain(const std::vector<ClassId>& p, const std::vector<ClassId>& q,
-                     const Gain& gain) {
-  return assigned_gain(p, q, gain, [](std::size_t, std::size_t, double) {});
 }
 
 }  // namespace detail

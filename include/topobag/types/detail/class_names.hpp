@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -128,13 +127,14 @@ inline constexpr std::pair<const char*, const char*> class_aliases[] = {
     {"motorbike", "motorcycle"},
 };
 
-/// Lower case, with every run of space, `_` and `-` turned into one space, none at the ends.
+/// Lower case, with every run of space, `_` and `-` turned into one space, none at the ends. Of
+/// ASCII alone: the host's locale must not change what a name is.
 inline std::string normalized_class_name(std::string_view name) {
   std::string key;
   for (const char c : name) {
-    const bool separator = c == '_' || c == '-' || std::isspace(static_cast<unsigned char>(c)) != 0;
+    const bool separator = c == '_' || c == '-' || c == ' ' || (c >= '\t' && c <= '\r');
     if (!separator) {
-      key += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     } else if (!key.empty() && key.back() != ' ') {
       key += ' ';
     }
