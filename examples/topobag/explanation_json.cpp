@@ -41,6 +41,7 @@ Json candidate_json(const topobag::CandidateExplanation& candidate) {
             {"verdict", to_string(candidate.verdict)},
             {"similarity", candidate.similarity},
             {"confidence", or_null(candidate.confidence)},
+            {"complete", candidate.complete},
             {"stages", Json::array()},
             {"matched", Json::array()},
             {"missing", Json::array()},
