@@ -116,7 +116,7 @@ std::vector<double> times_of(const std::vector<Graph>& map, const std::vector<Gr
                              std::size_t max_pairs, Call&& call) {
   const std::size_t all = map.size() * queries.size();
   if (all == 0) throw std::runtime_error("no key frame has that many objects with a depth");
-  const std::size_t step = std::max<std::size_t>(1, all / max_pairs);
+  const std::size_t step = std::max<std::size_t>(1, (all + max_pairs - 1) / max_pairs);
   std::vector<double> times;
   for (std::size_t i = 0; i < all; i += step) {
     double least = 0.0;
@@ -155,11 +155,12 @@ void bench_pose(const Tables& tables) {
   const auto map = graphs_of(tables.map, tables.options, 12);
   const auto queries = graphs_of(tables.query, tables.options, 12);
   std::size_t poses = 0;
-  print("match and pose", 12, times_of(map, queries, 4000, [&](const Graph& p, const Graph& q) {
-          poses += topobag::match_graphs(p, q).poses.size();
-        }));
+  const auto times = times_of(map, queries, 4000, [&](const Graph& p, const Graph& q) {
+    poses += topobag::match_graphs(p, q).poses.size();
+  });
+  print("match and pose", 12, times);
   std::printf("# poses per pair: %.2f\n",
-              static_cast<double>(poses) / 3.0 / static_cast<double>(map.size() * queries.size()));
+              static_cast<double>(poses) / (3.0 * static_cast<double>(times.size())));
 }
 
 /// False when the two searches differ.

@@ -106,7 +106,8 @@ for header in $(reached core.hpp); do
 done >>"$violations"
 
 # A program names no detail.
-grep -rnE 'include <topobag/(.*/)?detail/' ../../examples --include='*.[ch]pp' >>"$violations" || true
+grep -rnE 'include <topobag/(.*/)?detail/|topobag::detail::' ../../examples --include='*.[ch]pp' \
+  >>"$violations" || true
 
 if [ -s "$violations" ]; then
   cat "$violations"

@@ -14,6 +14,11 @@ namespace {
 
 using topobag::Detection;
 
+const std::string line_format = "a line is: class cx cy w h [score]";
+const std::string score_range = "the score has to lie in [0, 1]";
+
+bool is_share(double score) { return score >= 0.0 && score <= 1.0; }
+
 std::string stem(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 
 std::vector<Detection> read_yolo_text(const std::string& path,
@@ -29,11 +34,13 @@ std::vector<Detection> read_yolo_text(const std::string& path,
     std::size_t label = 0;
     double cx = 0.0, cy = 0.0, w = 0.0, h = 0.0, score = 1.0;
     if (!(words >> label >> cx >> cy >> w >> h)) {
-      throw InputError(path, number, "a line is: class cx cy w h [score]");
+      throw InputError(path, number, line_format);
     }
     if (!(words >> std::ws).eof() && !(words >> score)) {
       throw InputError(path, number, "the score is not a number");
     }
+    if (!(words >> std::ws).eof()) throw InputError(path, number, line_format);
+    if (!is_share(score)) throw InputError(path, number, score_range);
     if (label >= classes.size()) {
       throw InputError(path, number,
                        "there is no class " + std::to_string(label) + "; give --names");
@@ -89,8 +96,9 @@ BoxesByImage read_coco(const std::string& path, const topobag::ClassCatalog& cat
           called != categories.end() ? catalog.at(called->second) : coco_class(category.get<int>());
       const auto& box = entry.at("bbox");
       const double x = box.at(0), y = box.at(1), w = box.at(2), h = box.at(3);
-      boxes[stem(key)].push_back(
-          {{x - 0.5, y - 0.5, x + w - 0.5, y + h - 0.5}, label, entry.value("score", 1.0)});
+      const double score = entry.value("score", 1.0);
+      if (!is_share(score)) throw InputError(score_range);
+      boxes[stem(key)].push_back({{x - 0.5, y - 0.5, x + w - 0.5, y + h - 0.5}, label, score});
     }
   } catch (const std::exception& error) {
     throw InputError(path + ", entry " + std::to_string(number) + ": " + error.what());

@@ -20,7 +20,7 @@ using BoxesByImage = std::map<std::string, std::vector<topobag::Detection>>;
 /// the box as shares of the image and the class as a position in `classes`. A file is COCO's JSON:
 /// a list of results (image_id, category_id, bbox, score) with COCO's own numbers of categories, or
 /// a data set (images, categories, annotations) with categories by name. An image goes by its
-/// file's name or, where there is none, by its id.
+/// file's name or, where there is none, by its id. Scores lie in [0, 1].
 /// @param classes       the class behind each number of a YOLO file
 /// @param catalog       COCO's 80 classes
 /// @param width,height  of the images, px; for YOLO files

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,15 +50,10 @@ KnownPlaces places_of(const RecognitionRun& run, const CompareArguments& argumen
   auto map = true_trajectory(run.map);
   if (!queries) throw InputError(run.query_set + ".frames.csv", "not every key frame has a pose");
   if (!map) throw InputError(run.map_set + ".frames.csv", "not every key frame has a pose");
-  topobag::PlaceProtocol protocol = topobag::parse_protocol(arguments.protocol);
-  if (arguments.one_sequence()) {
-    protocol.exclude_seconds = arguments.min_gap;
-    protocol.past_only = true;
-  }
-  const topobag::PlaceTruth truth = arguments.one_sequence()
-                                        ? topobag::PlaceTruth(protocol, *queries)
-                                        : topobag::PlaceTruth(protocol, *queries, *map);
-  return {*std::move(queries), *std::move(map), truth};
+  std::optional<double> loop_gap;
+  if (arguments.one_sequence()) loop_gap = arguments.min_gap;
+  return known_places(*std::move(queries), *std::move(map),
+                      topobag::parse_protocol(arguments.protocol), loop_gap);
 }
 
 /// A similarity's best answers to each query, among the pairs that the protocol evaluates or
@@ -134,6 +131,10 @@ ComparedMethod paper_method(const CompareArguments& arguments, const topobag::Pl
 }
 
 void compare(const CompareArguments& arguments) {
+  if (std::filesystem::is_regular_file(arguments.tables.map)) {
+    throw InputError(arguments.tables.map,
+                     "compare makes the graphs anew and needs a node table, not a saved map");
+  }
   RecognitionRun run = read_run(arguments, arguments.keyframes);
   const KnownPlaces places = places_of(run, arguments);
   const Scoring scoring;

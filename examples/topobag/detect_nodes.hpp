@@ -23,7 +23,8 @@ struct DetectionSource {
   std::optional<BoxesByImage> boxes;      ///< instead of a network
 };
 
-/// Detects the objects in a sequence; depths by topobag::RobustBoxDepth.
+/// Detects the objects in a sequence; depths by topobag::RobustBoxDepth. Boxes that span less than
+/// a pixel of the image are left out.
 /// @param depth_scale  value / depth_scale = metres
 /// @param camera       gets the size of the images where it has none; else they have to agree
 /// Throws InputError, also where the program was built without OpenCV.

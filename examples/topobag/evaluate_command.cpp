@@ -15,6 +15,7 @@
 
 #include "commands.hpp"
 #include "csv_reader.hpp"
+#include "number_check.hpp"
 #include "pose_files.hpp"
 #include "report/report_options.hpp"
 #include "report/retrieval_page.hpp"
@@ -191,7 +192,7 @@ void add_evaluate_command(CLI::App& app) {
                   "Resamples of the queries for confidence intervals; 0 = none")
       ->capture_default_str();
   command.add_option("--level", options->report.level, "Of the confidence intervals")
-      ->check(CLI::Range(0.01, 0.999))
+      ->check(number_within(0.01, 0.999))
       ->capture_default_str();
   command.add_option("--seed", resampling.seed, "Of the resamples")->capture_default_str();
   command.add_option("--against", options->against,
@@ -201,8 +202,10 @@ void add_evaluate_command(CLI::App& app) {
                   "Of a loop's pose: correct m, correct deg, wrong m, wrong deg [0.3 15 1 45]")
       ->expected(4)
       ->delimiter(',');
-  command.add_option("--accept", options->accept,
-                     "Score from which on a pair with a pose is an accepted loop [every pair]");
+  command
+      .add_option("--accept", options->accept,
+                  "Score from which on a pair with a pose is an accepted loop [every pair]")
+      ->check(any_number());
   command.add_option("--curve", options->curve, "CSV to write: the precision-recall curve");
   command.add_option("--ranks", options->ranks, "CSV to write: each query's first true answer");
   add_report_options(command, options->files);

@@ -2,11 +2,12 @@
 #include "keyframe_graphs.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <topobag/edges/delaunay_edges2.hpp>
+#include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph.hpp>
-#include <topobag/sensing/lift_detections.hpp>
 
 #include "input_error.hpp"
 
@@ -26,21 +27,6 @@ std::vector<const FrameRow*> select_keyframes(const NodeTable& table, double int
   return selected;
 }
 
-/// The camera and all that may hide an object from it, people too. A box of half the image is a
-/// room, not an object.
-topobag::View<> view_of(const FrameRow& frame, const KeyframeOptions& options,
-                        double max_image_share) {
-  topobag::View<> view;
-  view.camera = options.camera;
-  const double max_area = max_image_share * options.camera.width * options.camera.height;
-  for (const topobag::RangedDetection& detection : frame.detections) {
-    if (detection.confidence >= options.min_confidence && detection.box.area() < max_area) {
-      view.occluders.push_back({detection.box, detection.z});
-    }
-  }
-  return view;
-}
-
 Eigen::Isometry3d relative_pose(const FrameRow& previous, const FrameRow& current) {
   for (const FrameRow* frame : {&previous, &current}) {
     if (!frame->T_world_camera) {
@@ -55,9 +41,10 @@ Eigen::Isometry3d relative_pose(const FrameRow& previous, const FrameRow& curren
 
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options) {
   const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
-  topobag::LiftOptions lifting;
-  lifting.min_confidence = options.min_confidence;
-  lifting.keep = options.keep;
+  topobag::SightingOptions sighting;
+  sighting.lifting.min_confidence = options.min_confidence;
+  sighting.lifting.keep = options.keep;
+  sighting.max_detections = std::numeric_limits<std::size_t>::max();  // all that the table holds
   topobag::LocalGraphOptions fusing;
   fusing.window = options.window;
   topobag::LocalGraph<> local(fusing);
@@ -65,12 +52,11 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
   std::vector<Keyframe> keyframes;
   const FrameRow* previous = nullptr;
   for (const FrameRow* frame : select_keyframes(table, options.interval)) {
-    auto nodes =
-        topobag::lift_detections(frame->detections, options.camera, catalog, lifting).nodes;
-    topobag::View<> view = view_of(*frame, options, lifting.max_image_share);
+    auto [stamp, nodes, view] = topobag::sight_keyframe(frame->timestamp, frame->detections,
+                                                        options.camera, catalog, sighting);
     Keyframe keyframe{frame->idx, frame->timestamp, frame->T_world_camera, {}};
     if (options.window > 0.0) {
-      local.add(frame->timestamp, nodes, relative_pose(previous ? *previous : *frame, *frame),
+      local.add(stamp, nodes, relative_pose(previous ? *previous : *frame, *frame),
                 std::move(view));
       keyframe.graph = local.graph();
     } else {

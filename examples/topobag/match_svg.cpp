@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "graph_panel.hpp"
+#include "input_error.hpp"
 
 namespace program {
 namespace {
@@ -102,12 +103,20 @@ void draw_missing(std::ostream& out, const Eigen::Vector2d& center) {
          "stroke-dasharray=\"4 3\"/>\n";
 }
 
+/// Without a view it is not known how the key frame's camera saw its objects.
+void require_view(const std::string& set, const Keyframe& keyframe) {
+  if (!keyframe.graph.views().empty()) return;
+  throw InputError(set, "its graphs hold no views, which a drawing needs");
+}
+
 std::string pair_svg(const RecognitionRun& run, std::size_t index,
                      const topobag::CandidateReport& match,
                      const std::optional<topobag::PoseError>& error, bool with_missing) {
   std::ostringstream out;
   const Keyframe& candidate = run.map[topobag::value(match.id)];
   const Keyframe& query = run.queries[index];
+  require_view(run.map_set, candidate);
+  require_view(run.query_set, query);
   GraphPanel left(candidate.graph);
   GraphPanel right(query.graph);
   const Eigen::AlignedBox2d extent = left.extent().merged(right.extent());
@@ -160,6 +169,12 @@ std::string match_svg(const RecognitionRun& run) {
             name_of(run.query_set) + " in " + name_of(run.map_set) + ": no match");
   out << "</svg>\n";
   return out.str();
+}
+
+bool is_drawable(const RecognitionRun& run, std::size_t index) {
+  const topobag::KeyframeId candidate = run.look_ups[index].recognition.accepted->id;
+  return !run.map[topobag::value(candidate)].graph.views().empty() &&
+         !run.queries[index].graph.views().empty();
 }
 
 std::string match_svg(const RecognitionRun& run, std::size_t index) {

@@ -61,9 +61,10 @@ std::string summary(const std::string& set, const NodeTable& table,
   std::ostringstream text;
   text << set << ": " << table.frames.size() << " frames, " << detections
        << " detections; with the default filter " << nodes
-       << " nodes (left out: " << dropped.low_confidence << " of low confidence, "
-       << dropped.dynamic << " dynamic, " << dropped.too_large << " too large, " << dropped.no_depth
-       << " without depth, " << dropped.out_of_range << " out of range)\n";
+       << " nodes (left out: " << dropped.invalid << " not valid, " << dropped.low_confidence
+       << " of low confidence, " << dropped.dynamic << " dynamic, " << dropped.too_large
+       << " too large, " << dropped.no_depth << " without depth, " << dropped.out_of_range
+       << " out of range, " << dropped.duplicate << " seen twice)\n";
   return text.str();
 }
 

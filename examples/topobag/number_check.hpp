@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -11,18 +12,33 @@
 
 namespace program {
 
-/// Checks that an option is a finite number in [min, max]; CLI::Range lets NaN pass.
+/// Checks that an option is a finite number that lies where `inside` says and `range` shows.
+template <typename Inside>
+CLI::Validator finite_number(const std::string& range, const Inside& inside) {
+  return {[range, inside](std::string& text) {
+            const std::optional<double> number = parse_number(text);
+            return number && inside(*number) ? std::string()
+                                             : "'" + text + "' is not a number in " + range;
+          },
+          range};
+}
+
+/// A number in [min, max]; CLI::Range lets NaN pass.
 inline CLI::Validator number_within(double min,
                                     double max = std::numeric_limits<double>::infinity()) {
   std::ostringstream range;
   range << '[' << min << ", " << max << (max < std::numeric_limits<double>::infinity() ? ']' : ')');
-  return {[min, max, range = range.str()](std::string& text) {
-            const std::optional<double> number = parse_number(text);
-            return number && *number >= min && *number <= max
-                       ? std::string()
-                       : "'" + text + "' is not a number in " + range;
-          },
-          range.str()};
+  return finite_number(range.str(), [=](double number) { return number >= min && number <= max; });
+}
+
+/// A number above 0; CLI::PositiveNumber lets NaN pass.
+inline CLI::Validator number_above_zero() {
+  return finite_number("(0, inf)", [](double number) { return number > 0.0; });
+}
+
+/// Any number; without a check NaN would be one.
+inline CLI::Validator any_number() {
+  return finite_number("(-inf, inf)", [](double) { return true; });
 }
 
 }  // namespace program

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "saved_map.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -52,6 +51,7 @@ void extend_snapshot(const std::string& path, const std::vector<Keyframe>& keyfr
 
 std::string beginning_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path, "the file cannot be opened; check the path");
   std::string bytes(16, '\0');
   file.read(bytes.data(), 16);
   return bytes;
@@ -83,12 +83,7 @@ std::vector<MapEntry> new_entries(const Bag& bag, std::uint32_t session,
 SavedMap read_saved_map(const std::string& path) {
   const std::string beginning = beginning_of(path);
   if (beginning.compare(0, 15, "SQLite format 3") == 0) return read_sqlite_map(path);
-  if (std::equal(topobag::detail::snapshot_magic.begin(), topobag::detail::snapshot_magic.end(),
-                 beginning.begin(), [](std::uint8_t byte, char letter) {
-                   return byte == static_cast<std::uint8_t>(letter);
-                 })) {
-    return read_snapshot(path);
-  }
+  if (beginning.compare(0, 8, "\x89TBG\r\n\x1a\n") == 0) return read_snapshot(path);
   throw InputError(path, "it is no map: neither an SQLite map nor a snapshot of topobag");
 }
 
@@ -112,6 +107,7 @@ std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& op
     keyframes.push_back({static_cast<std::int64_t>(topobag::value(id)), info.stamp.value_or(0.0),
                          info.T_world_camera, graph});
   });
+  if (keyframes.empty()) throw InputError(map, "the map holds no key frame");
   return keyframes;
 }
 

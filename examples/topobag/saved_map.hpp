@@ -45,7 +45,8 @@ SavedMap read_saved_map(const std::string& path);
 void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, bool append);
 
-/// The key frames of a map: of a file, or, as `read_keyframes` makes them, of a table.
+/// The key frames of a map: of a file, or, as `read_keyframes` makes them, of a table;
+/// never none. Throws InputError, and topobag::Error for a file that is damaged.
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options);
 
 }  // namespace program

@@ -16,6 +16,7 @@
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "json_output.hpp"
+#include "number_check.hpp"
 #include "pose_files.hpp"
 
 namespace program {
@@ -183,7 +184,7 @@ void add_trajectory_command(CLI::App& app) {
       "trajectory", "Scores a trajectory against the truth: ATE, AOE, RPE, CR, CS-R");
   const auto options = std::make_shared<TrajectoryOptions>();
   topobag::LifelongRules& rules = options->rules;
-  const auto positive = CLI::PositiveNumber;
+  const auto positive = number_above_zero();
   command
       .add_option("--groundtruth", options->groundtruth,
                   "True poses: TUM, KITTI, OpenLORIS or SET.frames.csv")

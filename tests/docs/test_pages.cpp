@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pages in examples/docs: their C++ stands in a test, their links lead somewhere.
+// The README and the pages in examples/docs: their C++ is compiled, their links lead somewhere.
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -36,20 +36,22 @@ std::vector<fs::path> files_of(const fs::path& folder, const std::string& extens
 }
 
 struct PageLine {
-  std::string page;
+  fs::path page;
   std::string text;
   std::string language;  ///< of the code block that it stands in; empty outside
 };
 
 std::vector<PageLine> page_lines() {
+  std::vector<fs::path> pages = files_of(sources / "examples/docs", ".md");
+  pages.push_back(sources / "README.md");
   std::vector<PageLine> lines;
-  for (const fs::path& page : files_of(sources / "examples/docs", ".md")) {
+  for (const fs::path& page : pages) {
     std::string language;
     for (const std::string& line : lines_of(page)) {
       if (line.rfind("```", 0) == 0) {
         language = line.substr(3);
       } else {
-        lines.push_back({page.filename().string(), line, language});
+        lines.push_back({page, line, language});
       }
     }
   }
@@ -58,10 +60,12 @@ std::vector<PageLine> page_lines() {
 
 }  // namespace
 
-TEST_CASE("every line of C++ in the pages is compiled by a test", "[docs]") {
+TEST_CASE("every line of C++ in the pages is compiled by a test or an example", "[docs]") {
   std::set<std::string> compiled;
-  for (const fs::path& file : files_of(sources / "tests/docs", ".cpp")) {
-    for (const std::string& line : lines_of(file)) compiled.insert(line);
+  for (const char* folder : {"tests/docs", "examples"}) {
+    for (const fs::path& file : files_of(sources / folder, ".cpp")) {
+      for (const std::string& line : lines_of(file)) compiled.insert(line);
+    }
   }
   std::size_t checked = 0;
   for (const PageLine& line : page_lines()) {
@@ -82,7 +86,7 @@ TEST_CASE("every link in the pages leads to a file", "[docs]") {
       const std::string target = (*it)[1];
       if (target.rfind("http", 0) == 0) continue;
       INFO(line.page << ": " << target);
-      CHECK(fs::exists(sources / "examples/docs" / target));
+      CHECK(fs::exists(line.page.parent_path() / target));
       ++checked;
     }
   }

@@ -72,6 +72,7 @@ TEST_CASE("a protocol that contradicts itself is refused", "[evaluation]") {
   refused([](PlaceProtocol& p) { p.distance_m = std::numeric_limits<double>::infinity(); });
   refused([](PlaceProtocol& p) { p.angle_deg = 181.0; });
   refused([](PlaceProtocol& p) { p.negative_distance_m = 0.9; });
+  refused([](PlaceProtocol& p) { p.negative_angle_deg = 45.0; });
   refused([](PlaceProtocol& p) { p.frustum = DepthFrustum{}; });
   refused([](PlaceProtocol& p) { p.negative_covisibility = 0.1; });
   refused([&](PlaceProtocol& p) { p.exclude_seconds = nan; });

@@ -48,6 +48,14 @@ TEST_CASE("broken YOLO text is told with file and line", "[examples]") {
         "a.txt:2: a line is: class cx cy w h [score]");
   folder.write("a.txt", "0 0.5 0.5 0.1 0.1 much\n");
   CHECK(error_in(folder, [&] { read(folder.path("")); }) == "a.txt:1: the score is not a number");
+  folder.write("a.txt", "62 0.1 0.1 0.6 0.1 0.6 0.7 0.1 0.7\n");  // a polygon
+  CHECK(error_in(folder, [&] { read(folder.path("")); }) ==
+        "a.txt:1: a line is: class cx cy w h [score]");
+  for (const std::string score : {"90", "1.01", "-0.1"}) {
+    folder.write("a.txt", "0 0.5 0.5 0.1 0.1 " + score + "\n");
+    CHECK(error_in(folder, [&] { read(folder.path("")); }) ==
+          "a.txt:1: the score has to lie in [0, 1]");
+  }
   folder.write("a.txt", "80 0.5 0.5 0.1 0.1\n");
   CHECK(error_in(folder, [&] { read(folder.path("")); }) ==
         "a.txt:1: there is no class 80; give --names");
@@ -69,6 +77,13 @@ TEST_CASE("COCO results go by COCO's own numbers", "[examples]") {
       "wrong.json", R"([{"image_id": 1, "category_id": 12, "bbox": [0, 0, 1, 1], "score": 1}])");
   CHECK(error_in(folder, [&] { read(wrong); }) ==
         "wrong.json, entry 1: category 12 is none of COCO's");
+  for (const std::string score : {"90", "-1e-9"}) {
+    const std::string beyond = folder.write(
+        "beyond.json",
+        R"([{"image_id": 1, "category_id": 1, "bbox": [0, 0, 1, 1], "score": )" + score + "}]");
+    CHECK(error_in(folder, [&] { read(beyond); }) ==
+          "beyond.json, entry 1: the score has to lie in [0, 1]");
+  }
 }
 
 TEST_CASE("a COCO data set names its images and categories", "[examples]") {

@@ -127,6 +127,9 @@ TEST_CASE("bad options end compare with one line", "[examples]") {
   CHECK(refusal(sets + sample_options + " --protocol distance=x").find("distance") !=
         std::string::npos);
   const ScratchFolder folder;
+  const std::string map = folder.write("map.bag", "");
+  CHECK(refusal("compare --map " + map + " --query " + sample_query + sample_options) ==
+        map + ": compare makes the graphs anew and needs a node table, not a saved map");
   folder.write("s.frames.csv", "idx,frame,timestamp\n0,a.png,1\n");
   folder.write("s.nodes.csv", "idx,class,conf,u,v,w,h,z\n");
   CHECK(refusal("compare --window 0 --nodes " + folder.path("s") + " --camera 5,5,3,2") ==

@@ -130,4 +130,7 @@ TEST_CASE("topobag evaluate: bad input is said in a sentence", "[program][evalua
   refused(
       "--poses " + folder.write("two.txt", "seq: 1\nseq: 2\n") + scores + " --protocol distance=1",
       "does not hold one trajectory");
+  const std::string good = with_poses + scores + " --protocol distance=1";
+  refused(good + " --level nan", "'nan' is not a number in [0.01, 0.999]");
+  refused(good + " --accept nan", "'nan' is not a number in (-inf, inf)");
 }

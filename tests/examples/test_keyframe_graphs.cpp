@@ -116,3 +116,11 @@ TEST_CASE("a window without poses is refused, single frames need none", "[exampl
         }) == "frame idx 1 has no pose, which a window needs; give --window 0");
   CHECK(keyframe_graphs(table, {camera, 0.0, 0.0, 0.3}).size() == 3);
 }
+
+TEST_CASE("a key frame uses all detections of its table", "[examples]") {
+  NodeTable table = table_at({0.0});
+  auto& detections = table.frames[0].detections;
+  detections.resize(300, detections.front());
+  const auto keyframes = keyframe_graphs(table, {camera, 0.0, 0.0, 0.3});
+  CHECK(keyframes[0].graph.views()[0].occluders.size() == 300);
+}

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <topobag/bag/graph_codec.hpp>
+#include <topobag/bag/snapshot_file.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
 
 #include "catch.hpp"
 #include "keyframe_graphs.hpp"
@@ -43,6 +45,18 @@ program::KeyframeOptions sample_keyframes() {
   options.camera = {517.3, 516.5, 318.6, 255.3, 640, 480};
   options.interval = 0.0;
   return options;
+}
+
+/// Saves key frames as `map` does, but without what their cameras saw.
+void save_without_views(const std::vector<program::Keyframe>& keyframes, const std::string& path) {
+  topobag::BagOfTopologyGraphs<> bag;
+  for (const program::MapEntry& entry : program::new_entries(bag, 0, keyframes)) {
+    bag.add(entry.id, *entry.graph, entry.info);
+  }
+  topobag::SaveOptions options;
+  options.catalog_fingerprint = topobag::fingerprint(topobag::ClassCatalog::coco80());
+  options.views = topobag::ViewSection::left_out;
+  topobag::save(bag, path, options);
 }
 
 }  // namespace
@@ -121,10 +135,39 @@ TEST_CASE("what is no map is refused by name", "[examples]") {
   CHECK(refusal("localize --map " + text + " --query " + sample_query + sample_options) ==
         text + ": it is no map: neither an SQLite map nor a snapshot of topobag");
   const std::string path = folder.path("map.bag");
+  CHECK(refusal("info " + path) == path + ": the file cannot be opened; check the path");
   output_of("map --nodes " + sample_map + sample_options + "--out " + path);
   const std::string cut = folder.write("cut.bag", content_of(path).substr(0, 1000));
   CHECK(refusal("info " + cut).find(cut + ": entry ") == 0);
   CHECK(refusal("map --nodes " + sample_map + sample_options + "--out " +
                 folder.path("none/map.bag")) ==
         folder.path("none/map.bag") + " cannot be written: No such file or directory");
+}
+
+TEST_CASE("a map without views is localized in and reported, and no drawing is made of it",
+          "[examples][report]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.bag");
+  save_without_views(program::read_keyframes(sample_map, sample_keyframes()), path);
+  const std::string tables = "--map " + path + " --query " + sample_query + sample_options;
+  const Json report = Json::parse(
+      output_of("localize --json " + tables + "--report-data " + folder.path("r.json")));
+  REQUIRE(report.at("accepted") > 0);
+  const Json figures = Json::parse(content_of(folder.path("r.json"))).at("figures");
+  CHECK(figures.contains("verdicts"));
+  CHECK_FALSE(figures.contains("match-best"));
+  const std::string sentence = path + ": its graphs hold no views, which a drawing needs";
+  CHECK(refusal("localize " + tables + "--svg " + folder.path("m.svg")) == sentence);
+  const int frame = report.at("matches").at(0).at("query_idx");
+  CHECK(refusal("explain " + tables + "--svg " + folder.path("m.svg") + " --frame " +
+                std::to_string(frame)) == sentence);
+}
+
+TEST_CASE("a map without a key frame is refused by name", "[examples]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("empty.bag");
+  save_without_views({}, path);
+  CHECK(refusal("localize --map " + path + " --query " + sample_query + sample_options) ==
+        path + ": the map holds no key frame");
+  CHECK(Json::parse(output_of("info --json " + path)).at("keyframes") == 0);
 }

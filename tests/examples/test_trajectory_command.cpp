@@ -94,3 +94,13 @@ TEST_CASE("topobag trajectory: KITTI poses with their times, frames of a node ta
   CHECK(result.at("sequences").at("1").at("ate_rmse") == Approx(0.0).margin(1e-9));
   CHECK(result.at("sequences").at("1").at("relocalization_time_s") == Approx(0.05));
 }
+
+TEST_CASE("topobag trajectory: rules are finite and above 0", "[program][evaluation]") {
+  for (const std::string rule : {"--ate-threshold", "--aoe-threshold", "--tau",
+                                 "--max-pose-interval", "--max-gap", "--rpe-step"}) {
+    for (const std::string value : {"nan", "0", "-1"}) {
+      CHECK(refusal("trajectory --groundtruth a --estimate b " + rule + ' ' + value)
+                .find("'" + value + "' is not a number in (0, inf)") != std::string::npos);
+    }
+  }
+}

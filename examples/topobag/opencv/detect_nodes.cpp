@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "detect_nodes.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -47,6 +48,14 @@ void require_size(const cv::Mat& image, const std::string& path, topobag::Pinhol
   }
 }
 
+/// A box of which the image shows less than a pixel is nothing that a table could keep.
+void drop_outside(std::vector<topobag::RangedDetection>& detections) {
+  const auto outside = [](const topobag::RangedDetection& detection) {
+    return !(detection.box.width() >= 1.0 && detection.box.height() >= 1.0);
+  };
+  detections.erase(std::remove_if(detections.begin(), detections.end(), outside), detections.end());
+}
+
 }  // namespace
 
 NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSource& source,
@@ -72,6 +81,7 @@ NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSour
     row.T_world_camera = frame.T_world_camera;
     row.detections = topobag::range_detections(detect(frame, rgb),
                                                topobag::DepthImage(depth, depth_scale), camera);
+    drop_outside(row.detections);
     table.frames.push_back(std::move(row));
     progress.step();
   }

@@ -43,7 +43,7 @@ std::vector<Figure> match_figures(const RecognitionRun& run, std::size_t max_wro
   std::vector<std::size_t> good;
   std::vector<std::size_t> wrong;
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    if (!run.look_ups[i].recognition.accepted) continue;
+    if (!run.look_ups[i].recognition.accepted || !is_drawable(run, i)) continue;
     (run.look_ups[i].verdict == topobag::PoseVerdict::wrong ? wrong : good).push_back(i);
   }
   const auto by_score = [&](std::size_t a, std::size_t b) {

@@ -2,6 +2,7 @@
 #include "query_outcome.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace program {
 
@@ -33,6 +34,17 @@ OutcomeStyle style_of(Outcome outcome) {
       return {"nothing to find", "nothing", Marker::ring};
   }
   return {"", "", Marker::dot};
+}
+
+KnownPlaces known_places(topobag::Trajectory queries, topobag::Trajectory map,
+                         topobag::PlaceProtocol protocol, std::optional<double> loop_gap) {
+  if (loop_gap) {
+    protocol.exclude_seconds = *loop_gap;
+    protocol.past_only = true;
+  }
+  const topobag::PlaceTruth truth = loop_gap ? topobag::PlaceTruth(protocol, queries)
+                                             : topobag::PlaceTruth(protocol, queries, map);
+  return {std::move(queries), std::move(map), truth};
 }
 
 std::optional<TruePlace> nearest_true_place(const KnownPlaces& places, std::size_t query) {

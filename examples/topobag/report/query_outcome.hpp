@@ -60,6 +60,12 @@ struct KnownPlaces {
   topobag::PlaceTruth truth;
 };
 
+/// What a true loop is by `protocol` among the true poses of a run.
+/// @param loop_gap  s; given, queries and map are one sequence that is looked for places at least
+///                  this much older, which goes before what the protocol excludes
+KnownPlaces known_places(topobag::Trajectory queries, topobag::Trajectory map,
+                         topobag::PlaceProtocol protocol, std::optional<double> loop_gap);
+
 /// The nearest positive candidate of a query; ties go to the first. O(candidates).
 std::optional<TruePlace> nearest_true_place(const KnownPlaces& places, std::size_t query);
 

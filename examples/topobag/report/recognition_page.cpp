@@ -19,16 +19,10 @@ namespace program {
 namespace {
 
 /// Two views that share half of what they see, up to the depth of a room, are of one place.
-topobag::PlaceProtocol protocol_of(const std::string& text, const topobag::PinholeCamera<>& camera,
-                                   std::optional<double> loop_gap) {
-  if (!text.empty()) return topobag::parse_protocol(text);
+topobag::PlaceProtocol default_protocol(const topobag::PinholeCamera<>& camera) {
   topobag::PlaceProtocol protocol;
   protocol.covisibility = 0.5;
   protocol.frustum = topobag::DepthFrustum{camera, 0.4, 4.0};
-  if (loop_gap) {
-    protocol.exclude_seconds = *loop_gap;
-    protocol.past_only = true;
-  }
   return protocol;
 }
 
@@ -41,11 +35,11 @@ class RecognitionPage {
     auto queries = true_trajectory(run.queries);
     auto map = true_trajectory(run.map);
     if (!queries || !map || arguments.scoring.different_places) return;
-    const topobag::PlaceProtocol declared = protocol_of(
-        protocol, with_size(arguments.keyframes.camera, arguments.image_size), loop_gap);
-    const topobag::PlaceTruth truth = loop_gap ? topobag::PlaceTruth(declared, *queries)
-                                               : topobag::PlaceTruth(declared, *queries, *map);
-    places_ = KnownPlaces{*std::move(queries), *std::move(map), truth};
+    const topobag::PlaceProtocol declared =
+        protocol.empty()
+            ? default_protocol(with_size(arguments.keyframes.camera, arguments.image_size))
+            : topobag::parse_protocol(protocol);
+    places_ = known_places(*std::move(queries), *std::move(map), declared, loop_gap);
   }
 
   Report report() const;

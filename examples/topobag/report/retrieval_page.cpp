@@ -139,7 +139,7 @@ void add_facts(Report& report, const KnownPlaces& places, const RetrievalRun& ru
                      std::isfinite(accept)
                          ? "each query's best from score " + short_text(method.sign * accept) +
                                (run.accept ? " on, as asked for" : " on, where their F1 is best")
-                         : std::string("each query's best"));
+                         : "none: no query's best answer is true, so no threshold is best");
   facts.emplace_back("Correct is", "a true pair by the protocol");
   report.notes.push_back(
       "Scores say nothing of the graphs behind them: no breakdown by the number "

@@ -48,7 +48,7 @@ struct MapSession {
 ///
 /// The bag holds graphs as the file does, that is, after `encode` and `decode`. One process writes,
 /// others may read at the same time, each what there was when it opened the file. Every error
-/// begins with the file's name. (Tables: `docs/format.md`.)
+/// begins with the file's name. (Tables: `examples/docs/format.md`.)
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class SqliteBag {
   static_assert(is_durable_bag_v<Bag_>,

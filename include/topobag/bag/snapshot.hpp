@@ -56,7 +56,8 @@ inline std::vector<std::uint8_t> read_record(std::istream& stream) {
 }  // namespace detail
 
 /// Writes a bag as it stands, in the order of ids: graphs through `encode`, the rest to the last
-/// bit. The same bag gives the same bytes on every machine. (The format: `docs/format.md`.)
+/// bit. The same bag gives the same bytes on every machine. (The format:
+/// `examples/docs/format.md`.)
 /// @param bag  anything with `size()` and `for_each(f)` that calls f(KeyframeId, const EntryInfo&,
 ///             const Graph&) by rising id
 /// Throws Error when the stream fails, InvalidValue as `encode` does. O(n).

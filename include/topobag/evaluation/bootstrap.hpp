@@ -42,7 +42,7 @@ struct ConfidenceInterval {
 };
 
 /// The central interval that holds `level` of the values, linear between neighbours; nothing of an
-/// empty list.
+/// empty list. Precondition: 0 < level < 1.
 inline std::optional<ConfidenceInterval> percentile_interval(std::vector<double> values,
                                                              double level = 0.95) {
   TOPOBAG_ASSERT(level > 0.0 && level < 1.0);

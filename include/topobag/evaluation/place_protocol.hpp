@@ -25,7 +25,8 @@ struct PlaceProtocol {
   std::optional<double> distance_m;  ///< d₊: positive up to this distance of the cameras, m
   std::optional<double> angle_deg;   ///< θ₊: and up to this rotation between them, degrees
   std::optional<double> negative_distance_m;  ///< d₋: negative from this distance on, m, or
-  std::optional<double> negative_angle_deg;   ///< θ₋: from this rotation on. Neither: all others
+  std::optional<double> negative_angle_deg;   ///< θ₋: from this rotation on; goes with
+                                              ///< `angle_deg`. Neither: all others
 
   std::optional<double> covisibility;  ///< c₊: positive from this overlap on, (0, 1]
   std::optional<double>
@@ -86,11 +87,12 @@ inline void PlaceProtocol::validate() const {
           "a protocol's covisibilities are in (0, 1], the negative one in [0, 1]");
   require(distance_m || !(angle_deg || negative_distance_m || negative_angle_deg),
           "an angle or a negative distance goes with a positive distance");
+  require(angle_deg || !negative_angle_deg, "a negative angle goes with a positive one");
   require(covisibility || !negative_covisibility,
           "a negative covisibility goes with a positive one");
   require(!negative_distance_m || *negative_distance_m >= *distance_m,
           "the negative distance is not below the positive one");
-  require(!negative_angle_deg || !angle_deg || *negative_angle_deg >= *angle_deg,
+  require(!negative_angle_deg || *negative_angle_deg >= *angle_deg,
           "the negative angle is not below the positive one");
   require(!negative_covisibility || *negative_covisibility <= *covisibility,
           "the negative covisibility is not above the positive one");

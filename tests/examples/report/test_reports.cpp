@@ -93,6 +93,10 @@ TEST_CASE("the report of loops asks for the gap alone", "[examples][report]") {
   CHECK(references(report.page).empty());
   CHECK(report.page.find("exclude-seconds=5,past-only") != std::string::npos);
   CHECK(report.has("trajectory"));
+  const WrittenReport declared = report_of("loops --nodes " + sample_map + sample_options +
+                                           " --min-gap 5 --protocol distance=0.5,angle=30");
+  CHECK(declared.page.find("distance=0.5,angle=30,exclude-seconds=5,past-only") !=
+        std::string::npos);
 }
 
 TEST_CASE("the report of evaluate: accepted, missed and wrong answers", "[examples][report]") {
@@ -127,4 +131,16 @@ TEST_CASE("evaluate accepts every pair by default where lower is better", "[exam
                             " --protocol distance=1,past-only";
   CHECK(json::parse(run_program(files).out).at("loops").at("accepted") == 2);
   CHECK(json::parse(run_program(files + " --accept 1").out).at("loops").at("accepted") == 1);
+}
+
+TEST_CASE("the report of evaluate says that nothing is accepted", "[examples][report]") {
+  const ScratchFolder folder;
+  const std::string scores = "nan,.1,.8,.9\n.1,nan,.9,.8\n.8,.9,nan,.1\n.9,.8,.1,nan\n";
+  const std::string files = "evaluate --poses " + folder.write("poses.txt", poses) + " --scores " +
+                            folder.write("scores.csv", scores) + " --protocol distance=";
+  for (const std::string distance :
+       {"0.01", "1"}) {  // no true pair, and none that is a best answer
+    const std::string page = report_of(files + distance).page;
+    CHECK(page.find("none: no query&#39;s best answer is true") != std::string::npos);
+  }
 }

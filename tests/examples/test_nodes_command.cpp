@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <numeric>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "node_table.hpp"
+#include "run_program.hpp"
+
+namespace {
+
+/// A sequence of one image, 64 x 48 px, all of it 2 m away.
+void write_sequence(const ScratchFolder& folder) {
+  const std::string size = "64 48\n";
+  const std::size_t pixels = 64 * 48;
+  std::string depth = "P5\n" + size + "65535\n";
+  for (std::size_t i = 0; i < pixels; ++i) depth += std::string("\x27\x10");  // 10000
+  folder.write("rgb.ppm", "P6\n" + size + "255\n" + std::string(3 * pixels, '\0'));
+  folder.write("depth.pgm", depth);
+  folder.write("associations.txt", "1.0 rgb.ppm 1.0 depth.pgm\n");
+}
+
+}  // namespace
+
+TEST_CASE("nodes keeps boxes that the image shows, and accounts for each", "[examples]") {
+  const ScratchFolder folder;
+  write_sequence(folder);
+  const std::string boxes = folder.write("boxes.json", R"([
+    {"image_id": "rgb", "category_id": 72, "bbox": [10, 10, 20, 20], "score": 0.9},
+    {"image_id": "rgb", "category_id": 72, "bbox": [11, 10, 20, 20], "score": 0.8},
+    {"image_id": "rgb", "category_id": 1, "bbox": [40, 10, 10, 10], "score": 0.7},
+    {"image_id": "rgb", "category_id": 72, "bbox": [10, 10, 0, 5], "score": 0.6},
+    {"image_id": "rgb", "category_id": 72, "bbox": [70, 10, 10, 10], "score": 0.5}])");
+  const std::string set = folder.path("set");
+  const ProgramRun run = run_program("nodes --images " + folder.path() + " --boxes " + boxes +
+                                     " --camera 50,50,31.5,23.5 --out " + set);
+  if (run.err.find("was not built") != std::string::npos) return;  // it needs OpenCV
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const auto detections = program::read_node_table(set).frames.at(0).detections;
+  REQUIRE(detections.size() == 3);
+  CHECK(detections[0].z == 2.0);
+
+  const std::regex number("[0-9]+");
+  const std::string counts = run.out.substr(set.size());
+  std::vector<int> found;
+  for (std::sregex_iterator it(counts.begin(), counts.end(), number), end; it != end; ++it) {
+    found.push_back(std::stoi(it->str()));
+  }
+  REQUIRE(found.size() == 10);  // frames, detections, nodes and seven reasons
+  CHECK(found[1] == 3);
+  CHECK(found[2] == 1);
+  CHECK(std::accumulate(found.begin() + 2, found.end(), 0) == found[1]);
+}
