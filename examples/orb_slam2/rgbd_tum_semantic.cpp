@@ -1,37 +1,32 @@
 // SPDX-License-Identifier: MIT
 // ORB-SLAM2 with a bag of topology graphs beside it, on an RGB-D sequence of the TUM benchmark.
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <exception>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <opencv2/core/persistence.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include <KeyFrameDatabase.h>
 #include <System.h>
 
-#include <topobag/adaptors/opencv.hpp>
 #include <topobag/evaluation/alignment.hpp>
 #include <topobag/evaluation/pose_error.hpp>
 #include <topobag/evaluation/trajectory_error.hpp>
-#include <topobag/evaluation/tum_trajectory.hpp>
-#include <topobag/sensing/range_detections.hpp>
 
-#include <csv_reader.hpp>
-#include <node_table.hpp>
 #include <stopwatch.hpp>
 
+#include "detectors.hpp"
+#include "reports.hpp"
 #include "semantic_slam.hpp"
+#include "tum_sequence.hpp"
 
 namespace semantic {
 namespace {
@@ -51,124 +46,14 @@ struct Arguments {
   bool no_wait = false;
 };
 
-/// What the host's settings say of the camera.
-struct Calibration {
-  topobag::PinholeCamera<> camera;
-  cv::Mat matrix, distortion;
-  double depth_scale = 1.0;
-};
-
-Calibration read_calibration(const std::string& settings) {
-  const cv::FileStorage file(settings, cv::FileStorage::READ);
-  if (!file.isOpened()) throw topobag::Error(settings + ": the file cannot be read");
-  Calibration calibration;
-  auto& camera = calibration.camera;
-  camera.fx = static_cast<double>(file["Camera.fx"]);
-  camera.fy = static_cast<double>(file["Camera.fy"]);
-  camera.cx = static_cast<double>(file["Camera.cx"]);
-  camera.cy = static_cast<double>(file["Camera.cy"]);
-  camera.width = static_cast<int>(file["Camera.width"]);
-  camera.height = static_cast<int>(file["Camera.height"]);
-  camera.validate();
-  calibration.matrix = (cv::Mat_<double>(3, 3) << camera.fx, 0.0, camera.cx, 0.0, camera.fy,
-                        camera.cy, 0.0, 0.0, 1.0);
-  calibration.distortion = cv::Mat::zeros(5, 1, CV_64F);
-  const char* const names[] = {"Camera.k1", "Camera.k2", "Camera.p1", "Camera.p2", "Camera.k3"};
-  for (int i = 0; i < 5; ++i) {
-    if (!file[names[i]].empty()) {
-      calibration.distortion.at<double>(i) = static_cast<double>(file[names[i]]);
-    }
-  }
-  calibration.depth_scale = static_cast<double>(file["DepthMapFactor"]);
-  return calibration;
-}
-
-struct FramePaths {
-  double stamp = 0.0;  ///< s
-  std::string rgb, depth;
-};
-
-std::vector<FramePaths> read_associations(const std::string& sequence, const std::string& file) {
-  std::vector<FramePaths> frames;
-  std::istringstream lines(program::read_file(file));
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    FramePaths frame;
-    std::string depth_stamp;
-    if (!(words >> frame.stamp >> frame.rgb >> depth_stamp >> frame.depth)) continue;
-    frame.rgb = sequence + "/" + frame.rgb;
-    frame.depth = sequence + "/" + frame.depth;
-    frames.push_back(frame);
-  }
-  if (frames.empty()) throw topobag::Error(file + ": there are no images in it");
-  return frames;
-}
-
-Images read_images(const FramePaths& frame) {
-  Images images{cv::imread(frame.rgb, cv::IMREAD_COLOR),
-                cv::imread(frame.depth, cv::IMREAD_UNCHANGED), frame.stamp};
-  if (images.rgb.empty()) throw topobag::Error(frame.rgb + ": the file is not an image");
-  if (images.depth.empty()) throw topobag::Error(frame.depth + ": the file is not an image");
-  return images;
-}
-
-/// Detections by the stamp of their image.
-using Table = std::map<double, std::vector<topobag::RangedDetection>>;
-
-void add_table(const std::string& set, Table& table) {
-  for (program::FrameRow& frame : program::read_node_table(set).frames) {
-    table[frame.timestamp] = std::move(frame.detections);
-  }
-}
-
-/// The detector: a table's rows, or a network with the depth image.
 Detect make_detect(const Arguments& arguments, const Calibration& calibration) {
-  if (arguments.model.empty()) {
-    auto table = std::make_shared<Table>();
-    add_table(arguments.table, *table);
-    if (!arguments.kidnap_table.empty()) add_table(arguments.kidnap_table, *table);
-    return [table, calibration](const Images& images) {
-      const auto found = table->lower_bound(images.stamp - 1e-5);
-      if (found == table->end() || found->first > images.stamp + 1e-5) {
-        return std::vector<topobag::RangedDetection>{};
-      }
-      return topobag::undistorted(found->second, calibration.matrix, calibration.distortion);
-    };
-  }
-  auto network = std::make_shared<topobag::YoloDetector>(arguments.model,
-                                                         topobag::ClassCatalog::coco80().ids());
-  return [network, calibration](const Images& images) {
-    return topobag::undistorted(
-        topobag::range_detections((*network)(images.rgb),
-                                  topobag::DepthImage(images.depth, calibration.depth_scale),
-                                  calibration.camera),
-        calibration.matrix, calibration.distortion);
-  };
-}
-
-/// Lines of figures: how many, median, 95th percentile, largest.
-void print_times(const std::string& name, std::vector<double> ms) {
-  if (ms.empty()) return;
-  std::sort(ms.begin(), ms.end());
-  const auto at = [&](double share) {
-    return ms[static_cast<std::size_t>(share * static_cast<double>(ms.size() - 1))];
-  };
-  std::cout << "  " << std::left << std::setw(36) << name << std::right << std::setw(6) << ms.size()
-            << std::fixed << std::setprecision(2) << std::setw(9) << at(0.5) << std::setw(9)
-            << at(0.95) << std::setw(9) << ms.back() << '\n';
+  if (!arguments.model.empty()) return network_detector(arguments.model, calibration);
+  std::vector<std::string> tables{arguments.table};
+  if (!arguments.kidnap_table.empty()) tables.push_back(arguments.kidnap_table);
+  return table_detector(tables, calibration);
 }
 
 Eigen::Isometry3d world_camera(const cv::Mat& Tcw) { return topobag::host_pose(Tcw).inverse(); }
-
-/// The truth of a sequence where it is at hand.
-topobag::Trajectory read_truth(const std::string& sequence) {
-  const std::string path = sequence + "/groundtruth.txt";
-  return std::ifstream(path) ? topobag::read_tum(path) : topobag::Trajectory{};
-}
-
-std::optional<Eigen::Isometry3d> true_pose(const topobag::Trajectory& truth, double stamp) {
-  return topobag::pose_at(truth, stamp, 0.1, topobag::RotationInterpolation::slerp);
-}
 
 class Run {
  public:
@@ -192,6 +77,10 @@ class Run {
         [this](double stamp) { return true_pose(kidnap_truth_, stamp); });
     slam_.GetKeyFrameDatabase()->semantic.SetObserver(semantic_.get());
   }
+
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+  ~Run() { stop(); }
 
   void track() {
     const auto frames = read_associations(arguments_.sequence, arguments_.associations);
@@ -217,7 +106,10 @@ class Run {
     const auto ate =
         topobag::translation_statistics(topobag::pose_errors(topobag::aligned(pairs, alignment_)));
     if (ate) std::cout << "ATE rmse: " << ate->rmse << " m\n";
-    if (semantic_) report_map(truth);
+    if (semantic_) {
+      report_map(*semantic_, arguments_.mask);
+      report_loops(*semantic_, truth, arguments_.out + "/loops.csv");
+    }
     std::cout << "stage                                  calls   median      95%      max, ms\n";
     print_times("tracking: whole frame", ms);
     if (semantic_) {
@@ -261,93 +153,31 @@ class Run {
     }
     std::cout << "\nkidnapped: " << found << " of " << shown << " re-localized, "
               << wrong_of(errors) << " of them not within 0.3 m and 15 degrees\n";
-    if (const auto m = topobag::translation_statistics(errors)) {
-      const auto degrees = topobag::rotation_statistics(errors);
-      std::cout << "error: median " << m->median << " m, " << degrees->median
-                << " degrees; largest " << m->max << " m, " << degrees->max << " degrees\n";
-    }
+    print_errors("error", errors);
     print_times("kidnapped: whole frame", ms);
     if (!semantic_) return;
-    report_places(relocalized);
+    report_places(*semantic_, relocalized, kidnap_truth_, alignment_);
     for (const auto& [name, times] : semantic_->times()) {
       if (name.rfind("tracking, lost", 0) == 0) print_times(name, times);
     }
   }
 
   void finish() {
-    if (semantic_) semantic_->stop();
-    slam_.Shutdown();
+    stop();
     slam_.SaveTrajectoryTUM(arguments_.out + "/CameraTrajectory.txt");
     slam_.SaveKeyFrameTrajectoryTUM(arguments_.out + "/KeyFrameTrajectory.txt");
   }
 
  private:
+  /// Afterwards no thread calls the observer. May be called twice.
+  void stop() {
+    if (semantic_) semantic_->stop();
+    slam_.Shutdown();
+  }
+
   cv::Mat track_frame(const Images& images) {
     if (semantic_ && slam_.MapChanged()) semantic_->poses_corrected();
     return slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
-  }
-
-  /// What the objects alone make of the frames shown, and together with the host.
-  void report_places(const std::set<double>& relocalized) {
-    std::size_t verified = 0, by_place = 0, guesses = 0;
-    std::set<double> found = relocalized;
-    std::vector<topobag::PoseError> errors;
-    for (const OfferedPlaces& offered : semantic_->offered_places()) {
-      const auto truth = true_pose(kidnap_truth_, offered.stamp);
-      by_place += offered.accepted >= 0 ? 1 : 0;
-      guesses += offered.verified == 0 && offered.guesses > 0 ? 1 : 0;
-      if (!truth || !offered.T_world_camera) continue;
-      ++verified;
-      found.insert(offered.stamp);
-      errors.push_back(topobag::pose_error(*truth, alignment_ * *offered.T_world_camera));
-    }
-    std::cout << "by objects alone: " << verified << " verified, " << wrong_of(errors)
-              << " of them not within 0.3 m and 15 degrees; by objects or the host: "
-              << found.size() << "; frames with guesses alone: " << guesses
-              << "; the host took the objects' pose in " << by_place << '\n';
-    if (const auto m = topobag::translation_statistics(errors)) {
-      const auto degrees = topobag::rotation_statistics(errors);
-      std::cout << "error of the objects' poses: median " << m->median << " m, " << degrees->median
-                << " degrees; largest " << m->max << " m, " << degrees->max << " degrees\n";
-    }
-  }
-
-  static std::ptrdiff_t wrong_of(const std::vector<topobag::PoseError>& errors) {
-    return std::count_if(errors.begin(), errors.end(), [](const auto& error) {
-      return topobag::judge(error) != topobag::PoseVerdict::correct;
-    });
-  }
-
-  void report_map(const topobag::Trajectory& truth) {
-    const auto counts = semantic_->counts();
-    std::cout << "key frames: " << counts.pushed << " made, " << counts.processed
-              << " through the topology thread, " << counts.failed << " failed, " << counts.given_up
-              << " given up, " << semantic_->size() << " in the bag\n";
-    if (arguments_.mask) {
-      const MaskedFeatures masked = semantic_->masked_features();
-      std::cout << "features masked: " << masked.dropped << " of " << masked.seen << ", in "
-                << masked.frames << " frames; " << masked.failed << " frames failed\n";
-    }
-    std::ofstream file(arguments_.out + "/loops.csv");
-    file << "query_stamp,candidate_stamp,error_m,error_deg\n" << std::setprecision(17);
-    const auto offered = semantic_->offered_loops();
-    std::size_t wrong = 0;
-    for (const OfferedLoop& loop : offered) {
-      file << loop.query_stamp << ',' << loop.candidate_stamp << ',';
-      const auto query = true_pose(truth, loop.query_stamp);
-      const auto candidate = true_pose(truth, loop.candidate_stamp);
-      if (query && candidate) {
-        const auto error =
-            topobag::pose_error(candidate->inverse() * *query, loop.T_candidate_query);
-        wrong += topobag::judge(error) == topobag::PoseVerdict::wrong ? 1 : 0;
-        file << error.translation_m << ',' << error.rotation_deg;
-      } else {
-        file << ',';
-      }
-      file << '\n';
-    }
-    std::cout << "loop candidates offered: " << offered.size() << ", wrong by the truth: " << wrong
-              << "; exceptions: " << semantic_->failures().first << '\n';
   }
 
   const Arguments& arguments_;
@@ -381,7 +211,8 @@ int main(int argc, char** argv) {
   app.add_option("--kidnap", arguments.kidnap_sequence, "Then shows frames of this sequence alone");
   app.add_option("--kidnap-associations", arguments.kidnap_associations, "Its pairs of images");
   app.add_option("--kidnap-detections", arguments.kidnap_table, "Its node table");
-  app.add_option("--kidnap-every", arguments.kidnap_every, "Every so many of its frames");
+  app.add_option("--kidnap-every", arguments.kidnap_every, "Every so many of its frames")
+      ->check(CLI::PositiveNumber);
   app.add_option("--kidnap-window", arguments.kidnap_window,
                  "Seconds of shown frames in one graph, joined by the true relative poses");
   CLI11_PARSE(app, argc, argv);
@@ -394,7 +225,7 @@ int main(int argc, char** argv) {
     run.track();
     if (!arguments.kidnap_sequence.empty()) run.kidnap();
     run.finish();
-  } catch (const topobag::Error& error) {
+  } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 2;
   }

@@ -213,6 +213,11 @@ TEST_CASE("what goes wrong is counted and not thrown at the host", "[adaptors]")
   CHECK(throwing.failures().first == 1);
   CHECK(throwing.failures().second == "no detector");
 
+  Database odd(without_waiting(), [](const Frame&) -> std::optional<TopologyGraph<>> { throw 7; });
+  CHECK(odd.DetectRelocalizationCandidates(&frame, {&theirs}) == Pointers{&theirs});
+  CHECK(odd.failures().first == 1);
+  CHECK(odd.failures().second == "the call threw something that is not a std::exception");
+
   KeyFrame& askew = host.make(1, 0.0);
   KeyframeSighting broken = host.seen_in(askew);
   broken.nodes[2].position = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());

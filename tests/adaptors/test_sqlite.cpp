@@ -100,6 +100,15 @@ TEST_CASE("a map on disk behaves like a bag in memory", "[sqlite]") {
   }
 }
 
+TEST_CASE("a label comes back whole, whatever letters it has", "[sqlite]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db");
+  EntryInfo info;
+  info.label = std::string("first\0second \xC3\xA4", 15);
+  SqliteBag<>(path).add(KeyframeId{1}, TopologyGraph<>{}, info);
+  CHECK(SqliteBag<>(path).bag().info(KeyframeId{1})->label == info.label);
+}
+
 TEST_CASE("a map keeps an indexed bag as well", "[sqlite]") {
   const ScratchFolder folder;
   std::mt19937 random(6);

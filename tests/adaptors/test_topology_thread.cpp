@@ -157,6 +157,24 @@ TEST_CASE("a reset forgets what waits and waits for what is at work", "[adaptors
   CHECK(notes.worked == std::vector<int>{0, 2});
 }
 
+TEST_CASE("whoever waits for an idle thread is told when its queue is forgotten", "[adaptors]") {
+  // It takes a reset or stop between a push and the thread's waking: some of the rounds hit that.
+  for (int round = 0; round < 1000; ++round) {
+    TopologyThread<int> thread([](const int&) {});
+    std::atomic<bool> waits{false}, told{false};
+    std::thread waiting([&] {
+      waits = true;
+      for (int i = 0; i < 20; ++i) thread.wait_idle();
+      told = true;
+    });
+    while (!waits) std::this_thread::yield();
+    thread.push(1);
+    round % 2 == 0 ? thread.reset() : thread.stop();
+    waiting.join();
+    CHECK(told);
+  }
+}
+
 TEST_CASE("after a stop nothing is taken, and what waited is told", "[adaptors]") {
   Notes notes;
   TopologyThread<int> thread(notes.work(), {}, notes.on_lost());

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -273,6 +274,61 @@ TEST_CASE("a view and a copy stay as they were", "[bag][index]") {
   bag.clear();
   CHECK(bag.empty());
   CHECK(copy.size() == 251);
+}
+
+TEST_CASE("a bag is copied while its writer adds", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(6), 6);
+  std::vector<Graph> graphs;
+  for (int i = 0; i < 40; ++i) graphs.push_back(source.keyframe(source.place()));
+  const auto nodes_of = [&](std::uint64_t id) { return graphs[id % graphs.size()].size(); };
+  IndexedBag bag;
+  std::atomic<bool> stop{false};
+  std::thread writer([&] {
+    for (std::uint64_t i = 0; !stop; ++i) {
+      bag.add(KeyframeId{i}, graphs[i % graphs.size()]);
+      if (i % 5 == 4) bag.erase(KeyframeId{i - 2});
+      if (bag.size() > 400) bag.clear();
+    }
+  });
+  const KeyframeId own{1u << 30U};
+  QueryOptions without_own;
+  without_own.filter = [&](KeyframeId id, const EntryInfo&) { return id != own; };
+  std::size_t torn = 0;
+  for (int i = 0; i < 200; ++i) {
+    IndexedBag copy = bag;
+    const auto view = copy.view();
+    view->for_each([&](KeyframeId id, const EntryInfo&, const Graph& graph) {
+      torn += graph.size() == nodes_of(value(id)) ? 0U : 1U;
+    });
+    const Graph& query = graphs[static_cast<std::size_t>(i) % graphs.size()];
+    copy.add(own, query);  // where the writer may be adding, too
+    torn += copy.size() == view->size() + 1 ? 0U : 1U;
+    torn += copy.query(query, without_own) == view->query(query) ? 0U : 1U;
+  }
+  stop = true;
+  writer.join();
+  CHECK(torn == 0);
+}
+
+TEST_CASE("a least score beyond those there are is no trap", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(8), 8);
+  IndexedBag bag = bag_of(source, 20);
+  // Empty graphs beside slight ones: rounded up, these share more than both weigh.
+  const Graph slight(std::vector<Graph::Node>(1));
+  for (std::uint64_t i = 500; i < 800; ++i) bag.add(KeyframeId{i}, i % 2 == 0 ? slight : Graph{});
+  const BruteForceBag oracle = brute_force_of(bag);
+  using Limits = std::numeric_limits<double>;
+  for (const double least : {-Limits::infinity(), Limits::lowest(), -1e300, -1.0, -0.0, 1.0, 1.5,
+                             1e300, Limits::infinity(), Limits::quiet_NaN()}) {
+    for (const std::size_t results : {1u, 10u, 1000u}) {
+      QueryOptions options;
+      options.min_score = least;
+      options.max_results = results;
+      const Graph query = source.keyframe(source.place());
+      CHECK(bag.query(query, options) == oracle.query(query, options));
+      CHECK(bag.query(slight, options) == oracle.query(slight, options));
+    }
+  }
 }
 
 TEST_CASE("what an indexed bag refuses changes nothing", "[bag][index]") {

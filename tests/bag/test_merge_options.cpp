@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include <topobag/bag/merge_options.hpp>
 
@@ -55,4 +56,18 @@ TEST_CASE("a merged bag's cameras move with their map", "[bag][index]") {
   const auto moved = bag.info(KeyframeId{1})->T_world_camera;
   CHECK(moved->translation().isApprox(Eigen::Vector3d(10.0, 21.0, 30.0)));
   CHECK(moved->linear().isApprox(T_world_other.linear()));
+}
+
+TEST_CASE("a bag without views stays so when another is merged", "[bag][index]") {
+  const auto nodes = desk_pieces(9).front().nodes();
+  const TopologyGraph<> seen(nodes, {}, std::vector<View<>>(3));
+  IndexedBag bag({}, ViewSection::left_out), other, keeping;
+  bag.add(KeyframeId{1}, seen);
+  other.add(KeyframeId{2}, seen);
+  bag.merge(*other.view());
+  CHECK(encode(*bag.find(KeyframeId{2})) == encode(*bag.find(KeyframeId{1})));
+  CHECK(bag.find(KeyframeId{2})->views().empty());
+  CHECK(bag.query(seen) == brute_force_of(bag).query(seen));
+  keeping.merge(*other.view());
+  CHECK(keeping.find(KeyframeId{2})->views().size() == 3);
 }

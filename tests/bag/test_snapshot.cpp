@@ -170,6 +170,30 @@ TEST_CASE("numbers that no file can hold make no room", "[bag][snapshot]") {
   CHECK(refusal(longer) == "entry 0 of 1 cannot be read: it is cut off; take a complete copy");
 }
 
+TEST_CASE("a small file of many nodes makes no room for their pairs", "[bag][snapshot]") {
+  detail::BitWriter graph;  // 3.6 kB: without the limit n², for any n
+  graph.put(graph_codec_version, 4);
+  graph.put(0, 1);
+  const std::size_t nodes = 4097;
+  graph.put_number(nodes);
+  detail::put_column(graph, detail::Column(nodes, 127), detail::vouching_width);
+  detail::put_column(graph, detail::Column(nodes, 0));  // class
+  detail::put_column(graph, detail::Column(nodes, 127));
+  detail::put_column(graph, detail::Column(nodes, detail::NodeColumns::has_position));
+  for (int column = 0; column < 5; ++column) {  // size and position
+    detail::put_column(graph, detail::Column(nodes, 0));
+  }
+  detail::put_edges(graph, {}, nodes);
+  std::ostringstream stream;
+  SnapshotHeader header;
+  header.scalar_bytes = 8;
+  header.entries = 1;
+  detail::write_bytes(stream, to_bytes(header));
+  detail::write_record(stream, detail::to_bytes({KeyframeId{1}, {}, graph.take()}));
+  CHECK(refusal(stream.str()) ==
+        "entry 0 of 1 cannot be read: a graph of more than 4096 nodes: the data are damaged");
+}
+
 TEST_CASE("a bag made with other classes is refused", "[bag][snapshot]") {
   std::mt19937 random(8);
   const Bag bag = random_bag(random, 2);

@@ -183,6 +183,17 @@ TEST_CASE("a folder that cannot be written to is an error and leaves the old fil
   CHECK(files_in(folder) == 2);
 }
 
+TEST_CASE("a save replaces no pipe and no device", "[bag][snapshot]") {
+  const ScratchFolder folder;
+  std::mt19937 random(8);
+  const std::string path = folder.path("pipe");
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  CHECK(error_text([&] { save(random_bag(random, 3), path); }) ==
+        path + " cannot be written: Invalid argument");
+  CHECK(std::filesystem::is_fifo(path));
+  CHECK(files_in(folder) == 1);
+}
+
 TEST_CASE("a graph that cannot be kept leaves the old file", "[bag][snapshot]") {
   const ScratchFolder folder;
   std::mt19937 random(6);

@@ -23,8 +23,9 @@ inline namespace v0 {
 /// What the adaptor takes of the library, and how much it offers the host.
 struct OrbSlamOptions {
   LocalGraphOptions fusing{};  ///< key frames of `window` s make one graph; 0 = single ones
-  RecognitionOptions recognition = few_candidates(3);  ///< retrieval, matching and decision
-  std::size_t max_loops = 5;                           ///< verified places offered for a loop
+  /// Retrieval, matching and decision. A filter of the retrieval must not call the data base.
+  RecognitionOptions recognition = few_candidates(3);
+  std::size_t max_loops = 5;            ///< verified places offered for a loop
   std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
   double min_loop_gap = 0.0;  ///< s between the key frames of a loop; beside the host's rule that
                               ///< covisible ones make none
@@ -189,11 +190,17 @@ class OrbSlamDatabase {
     try {
       return call();
     } catch (const std::exception& error) {
-      const std::lock_guard<std::mutex> lock(failures_mutex_);
-      ++failures_.first;
-      failures_.second = error.what();
+      note_failure(error.what());
+    } catch (...) {
+      note_failure("the call threw something that is not a std::exception");
     }
     return {};
+  }
+
+  void note_failure(const char* why) {
+    const std::lock_guard<std::mutex> lock(failures_mutex_);
+    ++failures_.first;
+    failures_.second = why;
   }
 
   template <typename Condition>

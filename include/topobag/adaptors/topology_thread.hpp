@@ -179,6 +179,7 @@ class TopologyThread {
 
   std::deque<Input> forget_waiting() {
     counts_.given_up += waiting_.size();
+    idle_.notify_all();  // the thread may not have noticed that anything waited
     return std::exchange(waiting_, {});
   }
 

@@ -32,13 +32,14 @@ enum class ViewSection { kept, left_out };
 /// 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm; pixels a half; confidence
 /// and existence 0.004; standard deviations 4.5 % along the viewing ray and across it, which is the
 /// shape that `NodeNoise` gives a covariance and to which any other is rounded off. Of views:
-/// translation 2 mm, rotation 0.2 mrad an axis, intrinsics 1/32 px, boxes half a pixel.
+/// translation 2 mm, rotation 0.2 mrad an axis (within 1 mrad of half a turn 1.2 mrad in all),
+/// intrinsics 1/32 px, boxes half a pixel.
 /// Saturated: pixels and boxes at ±2^20 px, negative sizes at 0, confidence to [0, 1], existence to
 /// [1/127, 1], standard deviations to [1 mm, 64 m].
 ///
 /// `encode(decode(encode(graph)))` gives the same bytes. Throws InvalidValue with the index of a
 /// node or view that is more than 2^20 m away, or of a view that is not finite; and for more than
-/// 65536 nodes. O(n² + m).
+/// 4096 nodes. O(n² + m).
 template <typename Scalar>
 std::vector<std::uint8_t> encode(const TopologyGraph<Scalar>& graph,
                                  ViewSection views = ViewSection::kept) {

@@ -42,11 +42,11 @@ class BasicIndexedBag {
       : similarity_(std::make_shared<const Similarity>(std::move(similarity))), views_(views) {
     publish({});
   }
-  /// O(1): the copies share what neither changes.
+  /// Of the bag as it is now; thread-safe for `other`. O(1): the copies share what neither changes.
   BasicIndexedBag(const BasicIndexedBag& other)
       : similarity_(other.similarity_), views_(other.views_) {
     detail::BagParts parts = other.view()->parts_;
-    if (parts.head) parts.head = std::make_shared<detail::HeadBlock>(*parts.head);
+    if (parts.head) parts.head = std::make_shared<detail::HeadBlock>(*parts.head, parts.head_size);
     publish(std::move(parts));
   }
   BasicIndexedBag& operator=(const BasicIndexedBag& other) {
@@ -102,8 +102,9 @@ class BasicIndexedBag {
   void clear() { publish({}); }
 
   /// Adds all entries of another bag. Ids that are free are kept; the others become the numbers
-  /// after the greatest of both bags, in their order. Returns where each id went. Throws
-  /// InvalidValue when the ids run out or a pose becomes infinite. O(n log n).
+  /// after the greatest of both bags, in their order. Views come along where this bag keeps them.
+  /// Returns where each id went. Throws InvalidValue when the ids run out or a pose becomes
+  /// infinite. O(n log n).
   std::map<KeyframeId, KeyframeId> merge(const View& other, const MergeOptions& options = {}) {
     const detail::BagParts& theirs = other.parts_;
     std::map<KeyframeId, KeyframeId> new_ids = detail::free_ids(parts(), theirs);
@@ -117,7 +118,13 @@ class BasicIndexedBag {
         info.T_world_camera = *options.T_world_other * *info.T_world_camera;
       }
       info.validate();
-      builder.add(new_ids.at(entry.id), info, entry.graph, entry.graph_size);
+      const KeyframeId id = new_ids.at(entry.id);
+      if (views_ == ViewSection::kept) {
+        builder.add(id, info, entry.graph, entry.graph_size);
+      } else {
+        const auto graph = stored(decode(entry.graph, entry.graph_size));
+        builder.add(id, info, graph.data(), graph.size() - detail::scan_margin);
+      }
     });
     auto sealed_parts = std::make_shared<detail::BagParts::Sealed>(*next.sealed);
     for (detail::SealedPart& part : builder.finish()) sealed_parts->push_back(std::move(part));
@@ -162,10 +169,16 @@ class BasicIndexedBag {
     view_.swap(next);  // the old one goes when the lock is free again
   }
 
+  /// The graph's bytes as this bag keeps them, and `scan_margin` more.
+  std::vector<std::uint8_t> stored(const Graph& graph) const {
+    std::vector<std::uint8_t> bytes = encode(graph, views_);
+    bytes.insert(bytes.end(), detail::scan_margin, 0);
+    return bytes;
+  }
+
   detail::HeadBlock::Entry make_entry(KeyframeId id, const Graph& graph, EntryInfo info) {
     info.validate();
-    detail::HeadBlock::Entry entry{id, std::move(info), encode(graph, views_), 0.0F};
-    entry.graph.insert(entry.graph.end(), detail::scan_margin, 0);
+    detail::HeadBlock::Entry entry{id, std::move(info), stored(graph), 0.0F};
     double total = 0.0;
     similarity_->for_each_vote(scan_(entry.graph.data()),
                                [&](std::uint64_t, double weight) { total += weight; });

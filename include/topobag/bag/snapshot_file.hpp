@@ -39,6 +39,7 @@ auto read_file(const std::string& path, const Read& read) {
 /// `save` into a file: complete and on the disk under its name when this returns (written beside
 /// it, synced, renamed), or, after an Error that gives the system's reason, as it was before. A
 /// process killed on the way leaves the old file and one beside it whose name has ".part-" in it.
+/// Devices, pipes and folders are refused.
 template <typename Bag>
 void save(const Bag& bag, const std::string& path, const SaveOptions& options = {}) {
   detail::AtomicFile file(path);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <random>
@@ -54,6 +56,26 @@ TEST_CASE("a key frame in a bad map is of no use", "[adaptors]") {
   map.bad = true;
   CHECK(is_bad(key_frame));
   CHECK(map_of(key_frame) == &map);
+}
+
+TEST_CASE("a graph is fused within one map alone", "[adaptors]") {
+  const SyntheticRoom room(7, 9, 4);
+  const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  Map here, elsewhere;
+  MappedKeyFrame before{1, 0.0, origin, &elsewhere}, now{2, 1.0, origin, &here};
+  KeyFrameBag<MappedKeyFrame> bag({}, {});
+  KeyframeSighting seen_before = small_host::sighting(room, before.mTimeStamp, origin);
+  KeyframeSighting seen_now = small_host::sighting(room, now.mTimeStamp, origin);
+  const std::size_t all = seen_now.nodes.size();
+  seen_now.nodes.resize(4);
+  bag.add(before);
+  bag.add(now);
+  bag.observe(0, before.mnId, seen_before);
+  bag.observe(0, now.mnId, seen_now);
+  const std::chrono::milliseconds at_once(0);
+  CHECK(bag.graph_of(now, at_once)->size() == 4);
+  before.map = &here;  // the maps were merged
+  CHECK(bag.graph_of(now, at_once)->size() == all);
 }
 
 TEST_CASE("with several maps candidates are told apart by map", "[adaptors]") {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
+#include <chrono>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <random>
@@ -94,4 +96,92 @@ TEST_CASE("a refresh makes the graphs anew with the poses of now", "[adaptors]")
   second.SetPoseInverse(truth);
   bag.refresh();
   CHECK(matched() > askew);
+}
+
+TEST_CASE("a refused sighting does not poison its neighbours", "[adaptors]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const SyntheticRoom room(7, 9, 4);
+  const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  small_host::KeyFrame first(1, 0.0, origin), second(2, 1.0, origin);
+  KeyFrameBag<small_host::KeyFrame> bag({}, {});
+  bag.add(first);
+  bag.add(second);
+  CHECK_THROWS_AS(bag.observe(0, 1, small_host::sighting(room, nan, origin)), InvalidValue);
+  KeyframeSighting askew = small_host::sighting(room, 0.0, origin);
+  askew.nodes[2].position->y() = nan;
+  try {
+    bag.observe(0, 1, askew);
+    FAIL("a node that is not finite was taken");
+  } catch (const InvalidValue& error) {
+    CHECK(error.index() == 2u);
+  }
+  CHECK(bag.observe(0, 2, small_host::sighting(room, 1.0, origin)));
+  CHECK(bag.size() == 1);
+  CHECK(bag.observe(0, 1, small_host::sighting(room, 0.0, origin)));
+  CHECK(bag.size() == 2);
+}
+
+TEST_CASE("a key frame that cannot be refreshed does not keep the others from it", "[adaptors]") {
+  const SyntheticRoom room(7, 9, 4);
+  std::mt19937 random(6);
+  const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  small_host::KeyFrame before(1, 0.0, origin), lost(2, 1.0, origin), after(3, 50.0, origin);
+  KeyFrameBag<small_host::KeyFrame> bag({}, {});
+  for (small_host::KeyFrame* key_frame : {&before, &lost, &after}) {
+    bag.add(*key_frame);
+    bag.observe(0, key_frame->mnId, small_host::sighting(room, key_frame->mTimeStamp, origin));
+  }
+  small_host::KeyFrame half(4, 51.0, origin);
+  bag.add(half);
+  KeyframeSighting seen = small_host::sighting(room, 51.0, origin);
+  seen.nodes.resize(4);
+  bag.observe(0, 4, seen);
+  const TopologyGraph<> query = room.seen_from(random_camera(random));
+  const auto found = [&] {
+    const auto places = bag.places(query, {&before, &lost, &after}, {}, nullptr);
+    return places.empty() ? 0.0 : places.front().score;
+  };
+  const double whole = found();
+  // Far from the other, so that only a refresh tells.
+  half.SetPoseInverse(Eigen::Isometry3d(Eigen::Translation3d(1.0, 0.5, 0.0)));
+  Eigen::Isometry3d nowhere = origin;
+  nowhere.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  lost.SetPoseInverse(nowhere);
+  CHECK_THROWS_AS(bag.refresh(), InvalidValue);
+  CHECK(found() < whole);
+  CHECK(bag.size() == 4);
+}
+
+TEST_CASE("a filter of the host's own joins the bag's", "[adaptors]") {
+  const SyntheticRoom room(7, 9, 4);
+  const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  RecognitionOptions recognition;
+  recognition.retrieval.filter = [](KeyframeId id, const EntryInfo&) { return value(id) != 1; };
+  KeyFrameBag<small_host::KeyFrame> bag({}, recognition);
+  small_host::KeyFrame first(1, 0.0, origin), second(2, 50.0, origin), third(3, 100.0, origin);
+  for (small_host::KeyFrame* key_frame : {&first, &second, &third}) {
+    bag.add(*key_frame);
+    bag.observe(0, key_frame->mnId, small_host::sighting(room, key_frame->mTimeStamp, origin));
+  }
+  const auto places = bag.places(room.seen_from(origin), {&third}, {}, nullptr);
+  CHECK_FALSE(places.empty());
+  for (const auto& place : places) CHECK(place.key_frame == &second);
+}
+
+TEST_CASE("a reset ends the waiting for a sighting", "[adaptors]") {
+  const std::chrono::seconds patience(20);
+  KeyFrameBag<small_host::KeyFrame> bag({}, {});
+  small_host::KeyFrame key_frame(1, 0.0, Eigen::Isometry3d::Identity());
+  std::atomic<bool> ended{false};
+  const auto begin = std::chrono::steady_clock::now();
+  std::thread query([&] {
+    CHECK_FALSE(bag.graph_of(key_frame, patience));
+    ended = true;
+  });
+  while (!ended) {  // the first may come before the query does
+    bag.clear();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  query.join();
+  CHECK(std::chrono::steady_clock::now() - begin < patience);
 }

@@ -3,6 +3,7 @@
 
 #include <sqlite3.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -56,8 +57,10 @@ class SqliteStatement {
   std::int64_t integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
   double real(int column) const { return sqlite3_column_double(statement_.get(), column); }
   std::string text(int column) const {
-    const unsigned char* text = sqlite3_column_text(statement_.get(), column);
-    return text == nullptr ? std::string() : reinterpret_cast<const char*>(text);
+    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+    return text == nullptr ? std::string()
+                           : std::string(text, static_cast<std::size_t>(
+                                                   sqlite3_column_bytes(statement_.get(), column)));
   }
   std::vector<std::uint8_t> blob(int column) const {
     const auto* bytes =

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -19,6 +21,7 @@
 #include <topobag/adaptors/orb_slam/key_frame_pins.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_register.hpp>
 #include <topobag/adaptors/orb_slam/place.hpp>
+#include <topobag/error.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 
 namespace topobag {
@@ -53,7 +56,12 @@ class KeyFrameBag {
   }
 
   /// What was seen in a key frame of an epoch; false when it was culled or the map reset meanwhile.
+  /// Throws InvalidValue, with the node's index, for a stamp or a node that is not finite; then the
+  /// sighting is not kept.
   bool observe(std::uint64_t epoch, std::uint64_t id, KeyframeSighting sighting) {
+    // Here: later it would come up in every graph of its neighbours.
+    if (!std::isfinite(sighting.stamp)) throw InvalidValue("the sighting's stamp is not finite");
+    static_cast<void>(Graph(sighting.nodes));
     {
       const Lock lock(mutex_);
       if (!known_.observe(epoch, id, std::move(sighting))) return false;
@@ -103,17 +111,27 @@ class KeyFrameBag {
     Lock lock(mutex_);
     known_.clear();
     relocalizer_.map().clear();
+    sighted_.notify_all();  // what they wait for does not come any more
     pins_.wait_for_older(lock);
   }
 
-  /// Makes every graph anew with the host's poses of now.
+  /// Makes every graph anew with the host's poses of now. Throws the first error, when the others
+  /// are made; a graph that cannot be made stays as it was.
   void refresh() {
     std::vector<std::uint64_t> ids;
     {
       const Lock lock(mutex_);
       for (const auto& entry : known_.key_frames()) ids.push_back(entry.first);
     }
-    for (const std::uint64_t id : ids) make_entry(id);
+    std::exception_ptr first_error;
+    for (const std::uint64_t id : ids) {
+      try {
+        make_entry(id);
+      } catch (...) {
+        if (!first_error) first_error = std::current_exception();
+      }
+    }
+    if (first_error) std::rethrow_exception(first_error);
   }
 
   /// The graph of a key frame that the caller keeps alive, added or not; nothing when its sighting
@@ -129,6 +147,7 @@ class KeyFrameBag {
   }
 
   /// Every pose that a candidate offers: verified ones first, then by falling score, ties by id.
+  /// Candidates pass the filter of the options' retrieval, which is asked with the lock held.
   ///
   /// @param excluded  key frames that are no candidates
   /// @param newest    s; later ones are none either
@@ -141,8 +160,10 @@ class KeyFrameBag {
       if (excluded.count(key_frame) != 0) left_out.insert(KeyframeId{id});
     }
     RecognitionOptions options = relocalizer_.options();
+    const auto& wanted = relocalizer_.options().retrieval.filter;
     options.retrieval.filter = [&](KeyframeId id, const EntryInfo& info) {
-      return left_out.count(id) == 0 && (!newest || *info.stamp <= *newest);
+      return left_out.count(id) == 0 && (!newest || *info.stamp <= *newest) &&
+             (!wanted || wanted(id, info));
     };
     const Recognition recognition = relocalizer_.localize(graph, options);
     std::vector<std::pair<const CandidateReport*, KeyFrame*>> found;
@@ -193,13 +214,15 @@ class KeyFrameBag {
     relocalizer_.map().erase(KeyframeId{id});
   }
 
-  /// Reads the poses of now and fuses. Needs the lock and releases it.
+  /// Reads the poses of now and fuses those of the last one's map. Needs the lock and releases it.
   Graph fuse(const Members& members, Lock& lock) {
     std::vector<PosedSighting> posed;
     {
       const KeyFramePins::Scope pinned(pins_, lock);
+      KeyFrame* const own = members.back().key_frame;
+      const void* const map = map_of(*own);
       for (const auto& [sighting, key_frame] : members) {
-        if (key_frame != members.back().key_frame && is_bad(*key_frame)) continue;
+        if (key_frame != own && (is_bad(*key_frame) || map_of(*key_frame) != map)) continue;
         posed.push_back({sighting, host_pose(key_frame->GetPoseInverse())});
       }
     }

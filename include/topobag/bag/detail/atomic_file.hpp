@@ -70,15 +70,17 @@ class FileBuffer : public std::streambuf {
 /// be deleted.
 class AtomicFile {
  public:
-  /// Throws Error when the file cannot be made.
+  /// Throws Error when the file cannot be made, or what stands there is no regular file.
   explicit AtomicFile(const std::string& path) : path_(target_of(path)) {
+    struct ::stat before {};
+    const bool replaces = ::stat(path_.c_str(), &before) == 0;
+    if (replaces && !S_ISREG(before.st_mode)) fail(S_ISDIR(before.st_mode) ? EISDIR : EINVAL);
     for (int attempt = 0; file_ < 0; ++attempt) {
       temporary_ = path_ + ".part-" + std::to_string(::getpid()) + '-' + std::to_string(attempt);
       file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (file_ < 0 && errno != EEXIST) fail(errno);
     }
-    struct ::stat before {};
-    if (::stat(path_.c_str(), &before) == 0) static_cast<void>(::fchmod(file_, before.st_mode));
+    if (replaces) static_cast<void>(::fchmod(file_, before.st_mode));
     buffer_ = std::make_unique<FileBuffer>(file_);
   }
 

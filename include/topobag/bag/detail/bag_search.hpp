@@ -33,7 +33,9 @@ class BagSearch {
         coarse_query_(coarse_histogram(query_)),
         sketch_(coarse_query_),
         common_mass_(similarity, query_, labels_of(graph)),
-        best_(options.max_results, options.min_score) {}
+        // Scores lie in [0, 1]: no other floor tells them apart, and the bounds' sums are not made
+        // for one.
+        best_(options.max_results, std::clamp(options.min_score, 0.0, 2.0)) {}
 
   SearchResult run() {
     visit_head();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,6 +29,12 @@ class HeadBlock {
   };
 
   HeadBlock() : entries_(capacity) {}
+  /// The first `size` entries of another, which its writer may be appending to.
+  HeadBlock(const HeadBlock& other, std::size_t size) : HeadBlock() {
+    std::copy_n(other.entries_.begin(), size, entries_.begin());
+  }
+  HeadBlock(const HeadBlock&) = delete;
+  HeadBlock& operator=(const HeadBlock&) = delete;
 
   const Entry& operator[](std::size_t i) const noexcept { return entries_[i]; }
   Entry& operator[](std::size_t i) noexcept { return entries_[i]; }

@@ -26,7 +26,7 @@ inline constexpr double steps_per_pixel = 1.0;
 inline constexpr double steps_of_share = 127.0;  // of a share in [0, 1]
 inline constexpr double steps_per_octave = 8.0;  // of a standard deviation, from 1 m
 inline constexpr double max_metres = 1048576.0;
-inline constexpr std::size_t max_nodes = 65536;
+inline constexpr std::size_t max_nodes = 4096;  // a histogram's words are n²: some 10^7
 
 inline constexpr ColumnRange metre_range{-(std::int64_t{1} << 28), std::int64_t{1} << 28};
 inline constexpr ColumnRange size_range{0, std::int64_t{1} << 27};
@@ -54,7 +54,7 @@ class NodeColumns {
   /// away than it reaches.
   template <typename Scalar>
   explicit NodeColumns(const std::vector<SemanticNode<Scalar>>& nodes) {
-    if (nodes.size() > max_nodes) throw InvalidValue("a graph of more than 65536 nodes");
+    if (nodes.size() > max_nodes) throw InvalidValue("a graph of more than 4096 nodes");
     for (Column* column : {&confidence_, &label_, &existence_, &parts_, &width_, &height_, &u_, &v_,
                            &x_, &y_, &z_, &along_, &across_}) {
       column->reserve(nodes.size());
@@ -74,7 +74,7 @@ class NodeColumns {
   /// Throws FormatError.
   explicit NodeColumns(BitReader& reader) {
     const std::size_t n = reader.get_count();
-    if (n > max_nodes) throw FormatError("a graph of more than 65536 nodes: the data are damaged");
+    if (n > max_nodes) throw FormatError("a graph of more than 4096 nodes: the data are damaged");
     confidence_ = get_column(reader, n, share_range, vouching_width);
     label_ = get_column(reader, n, label_range);
     existence_ = get_column(reader, n, existence_range);

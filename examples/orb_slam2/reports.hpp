@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <topobag/evaluation/alignment.hpp>
+#include <topobag/evaluation/pose_error.hpp>
+#include <topobag/evaluation/trajectory_error.hpp>
+
+#include "semantic_slam.hpp"
+#include "tum_sequence.hpp"
+
+namespace semantic {
+
+/// Lines of figures: how many, median, 95th percentile, largest.
+inline void print_times(const std::string& name, std::vector<double> ms) {
+  if (ms.empty()) return;
+  std::sort(ms.begin(), ms.end());
+  const auto at = [&](double share) {
+    return ms[static_cast<std::size_t>(share * static_cast<double>(ms.size() - 1))];
+  };
+  std::cout << "  " << std::left << std::setw(36) << name << std::right << std::setw(6) << ms.size()
+            << std::fixed << std::setprecision(2) << std::setw(9) << at(0.5) << std::setw(9)
+            << at(0.95) << std::setw(9) << ms.back() << '\n';
+}
+
+inline std::ptrdiff_t wrong_of(const std::vector<topobag::PoseError>& errors) {
+  return std::count_if(errors.begin(), errors.end(), [](const auto& error) {
+    return topobag::judge(error) != topobag::PoseVerdict::correct;
+  });
+}
+
+inline void print_errors(const std::string& name, const std::vector<topobag::PoseError>& errors) {
+  const auto m = topobag::translation_statistics(errors);
+  if (!m) return;
+  const auto degrees = topobag::rotation_statistics(errors);
+  std::cout << name << ": median " << m->median << " m, " << degrees->median << " degrees; largest "
+            << m->max << " m, " << degrees->max << " degrees\n";
+}
+
+/// What the objects alone make of the frames shown, and together with the host.
+/// @param relocalized  stamps of the frames in which the host found itself
+/// @param alignment    of the map's world with the truth's
+inline void report_places(const SemanticSlam& semantic, const std::set<double>& relocalized,
+                          const topobag::Trajectory& true_poses,
+                          const topobag::Alignment& alignment) {
+  std::size_t verified = 0, by_place = 0, guesses = 0;
+  std::set<double> found = relocalized;
+  std::vector<topobag::PoseError> errors;
+  for (const OfferedPlaces& offered : semantic.offered_places()) {
+    const auto truth = true_pose(true_poses, offered.stamp);
+    by_place += offered.accepted >= 0 ? 1 : 0;
+    guesses += offered.verified == 0 && offered.guesses > 0 ? 1 : 0;
+    if (!truth || !offered.T_world_camera) continue;
+    ++verified;
+    found.insert(offered.stamp);
+    errors.push_back(topobag::pose_error(*truth, alignment * *offered.T_world_camera));
+  }
+  std::cout << "by objects alone: " << verified << " verified, " << wrong_of(errors)
+            << " of them not within 0.3 m and 15 degrees; by objects or the host: " << found.size()
+            << "; frames with guesses alone: " << guesses << "; the host took the objects' pose in "
+            << by_place << '\n';
+  print_errors("error of the objects' poses", errors);
+}
+
+/// What became of the key frames, and of the features where they are masked.
+inline void report_map(const SemanticSlam& semantic, bool mask) {
+  const auto counts = semantic.counts();
+  std::cout << "key frames: " << counts.pushed << " made, " << counts.processed
+            << " through the topology thread, " << counts.failed << " failed, " << counts.given_up
+            << " given up, " << semantic.size() << " in the bag\n";
+  if (mask) {
+    const MaskedFeatures masked = semantic.masked_features();
+    std::cout << "features masked: " << masked.dropped << " of " << masked.seen << ", in "
+              << masked.frames << " frames; " << masked.failed << " frames failed\n";
+  }
+}
+
+/// The loops that were offered, scored by the truth.
+/// @param path  of a table of them
+inline void report_loops(const SemanticSlam& semantic, const topobag::Trajectory& truth,
+                         const std::string& path) {
+  std::ofstream file(path);
+  file << "query_stamp,candidate_stamp,error_m,error_deg\n" << std::setprecision(17);
+  const auto offered = semantic.offered_loops();
+  std::size_t wrong = 0;
+  for (const OfferedLoop& loop : offered) {
+    file << loop.query_stamp << ',' << loop.candidate_stamp << ',';
+    const auto query = true_pose(truth, loop.query_stamp);
+    const auto candidate = true_pose(truth, loop.candidate_stamp);
+    if (query && candidate) {
+      const auto error = topobag::pose_error(candidate->inverse() * *query, loop.T_candidate_query);
+      wrong += topobag::judge(error) == topobag::PoseVerdict::wrong ? 1 : 0;
+      file << error.translation_m << ',' << error.rotation_deg;
+    } else {
+      file << ',';
+    }
+    file << '\n';
+  }
+  std::cout << "loop candidates offered: " << offered.size() << ", wrong by the truth: " << wrong
+            << "; exceptions: " << semantic.failures().first << '\n';
+}
+
+}  // namespace semantic
