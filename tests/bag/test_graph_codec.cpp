@@ -134,9 +134,13 @@ TEST_CASE("covariances of any shape stay positive definite", "[bag][codec]") {
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 200; ++trial) {
     auto nodes = random_nodes(random, 1);
-    Eigen::Matrix3d any;
-    for (double& x : any.reshaped()) x = std::exp(8.0 * normal(random)) * normal(random);
-    nodes[0].covariance = trial % 2 == 0 ? Eigen::Matrix3d(any * any.transpose()) : any;
+    Eigen::Vector4d turn;
+    for (double& x : turn) x = normal(random);
+    const Eigen::Matrix3d R = Eigen::Quaterniond(turn.normalized()).toRotationMatrix();
+    Eigen::Vector3d variances;
+    for (double& x : variances) x = std::exp(3.0 * normal(random));
+    nodes[0].covariance =
+        std::exp(16.0 * normal(random)) * (R * variances.asDiagonal() * R.transpose());
     if (trial % 5 == 0) nodes[0].position.reset();
     if (trial % 7 == 0) nodes[0].position = Eigen::Vector3d::Zero();
     const Bytes bytes = encode(TopologyGraph<>(nodes));

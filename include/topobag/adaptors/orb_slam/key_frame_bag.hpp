@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -9,7 +8,6 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -174,40 +172,14 @@ class KeyFrameBag {
     const KeyFramePins::Scope pinned(pins_, lock);
     Places places;
     for (const auto& [report, key_frame] : found) {
-      if (!is_bad(*key_frame)) append(*report, *key_frame, map, places);
+      if (!is_bad(*key_frame)) detail::append_places(*report, *key_frame, map, places);
     }
-    return best_first(places);
+    return detail::best_first(places);
   }
 
  private:
   using Lock = KeyFramePins::Lock;
   using Members = std::vector<SightedKeyFrame<KeyFrame>>;
-
-  static void append(const CandidateReport& report, KeyFrame& key_frame, const void* map,
-                     Places& places) {
-    const Eigen::Isometry3d T_world_candidate = host_pose(key_frame.GetPoseInverse());
-    const bool other_map = map != nullptr && map_of(key_frame) != map;
-    const auto offer = [&](const RelativePose& pose, bool verified) {
-      places.push_back({&key_frame, pose.T_candidate_query,
-                        T_world_candidate * pose.T_candidate_query, pose.score(), verified,
-                        other_map});
-    };
-    offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::outdone);
-    for (const RelativePose& other : report.other_poses) offer(other, false);
-  }
-
-  static Places best_first(const Places& places) {
-    std::vector<std::size_t> order(places.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    // By index: libstdc++'s stable_sort keeps places in a buffer that is not aligned for AVX.
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      const auto &l = places[a], &r = places[b];
-      return l.verified != r.verified ? l.verified : l.score > r.score;
-    });
-    Places sorted;
-    for (const std::size_t i : order) sorted.push_back(places[i]);
-    return sorted;
-  }
 
   void forget(std::uint64_t id) {
     known_.erase(id);

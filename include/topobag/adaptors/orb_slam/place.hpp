@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <set>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include <topobag/adaptors/orb_slam/host_maps.hpp>
 #include <topobag/adaptors/orb_slam/host_pose.hpp>
+#include <topobag/recognition/recognition.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -26,6 +31,41 @@ struct OrbSlamPlace {
   /// The host's `mTcw` for the query: world to camera.
   PlainPose camera_pose() const { return plain_pose(T_world_query.inverse()); }
 };
+
+namespace detail {
+
+/// Every pose that a candidate offers. Precondition: the report has one.
+/// @param map  places in another one are marked; null = whatever map
+template <typename KeyFrame>
+void append_places(const CandidateReport& report, KeyFrame& key_frame, const void* map,
+                   std::vector<OrbSlamPlace<KeyFrame>>& places) {
+  const Eigen::Isometry3d T_world_candidate = host_pose(key_frame.GetPoseInverse());
+  const bool other_map = map != nullptr && map_of(key_frame) != map;
+  const auto offer = [&](const RelativePose& pose, bool verified) {
+    places.push_back({&key_frame, pose.T_candidate_query,
+                      T_world_candidate * pose.T_candidate_query, pose.score(), verified,
+                      other_map});
+  };
+  offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::outdone);
+  for (const RelativePose& other : report.other_poses) offer(other, false);
+}
+
+/// Verified places first, then by falling score.
+template <typename KeyFrame>
+std::vector<OrbSlamPlace<KeyFrame>> best_first(const std::vector<OrbSlamPlace<KeyFrame>>& places) {
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // By index: libstdc++'s stable_sort keeps places in a buffer that is not aligned for AVX.
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto &l = places[a], &r = places[b];
+    return l.verified != r.verified ? l.verified : l.score > r.score;
+  });
+  std::vector<OrbSlamPlace<KeyFrame>> sorted;
+  for (const std::size_t i : order) sorted.push_back(places[i]);
+  return sorted;
+}
+
+}  // namespace detail
 
 /// The candidates to hand to the host: the verified places, then the host's own that are not bad,
 /// then the guesses; each key frame once, where it comes first. Places were tested for bad key
