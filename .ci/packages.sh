@@ -33,6 +33,7 @@ build_program() {
   need_build_tools
   need_packages libeigen3-dev libcgal-dev libcli11-dev nlohmann-json3-dev
   mkdir -p build/examples
+  [ -e build/examples/topobag ] || echo "Building the topobag program, some minutes; what the compiler says: $log"
   if ! { cmake -S . -B build && cmake --build build --parallel "$(nproc)" --target topobag_cli; } >"$log" 2>&1; then
     cat "$log" >&2
     exit 1

@@ -11,4 +11,4 @@ report=$PWD/build/examples/fr1_rpy_in_fr1_xyz.html
 build/examples/topobag localize --map examples/data/fr1_xyz --query examples/data/fr1_rpy \
   --camera 517.3,516.5,318.6,255.3 --keyframe-interval 0 --svg "$drawing" --report "$report"
 echo "Drawing: $drawing"
-echo "Report: $report"
+echo "Report: $report (open it in a browser)"

@@ -77,7 +77,8 @@ void add_explain_command(CLI::App& app) {
       *app.add_subcommand("explain", "Tells why a key frame was or was not found in a map");
   const auto arguments = std::make_shared<ExplainArguments>();
   command
-      .add_option("--map", arguments->tables.map, "Table of the map: MAP.frames.csv, MAP.nodes.csv")
+      .add_option("--map", arguments->tables.map,
+                  "Table of the map (MAP.frames.csv, MAP.nodes.csv), or what `map` made of one")
       ->required();
   command.add_option("--query", arguments->tables.query, "Table of the key frame to explain")
       ->required();

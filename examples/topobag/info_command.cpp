@@ -81,8 +81,10 @@ Json session_json(const SavedSession& session, const MapFigures& figures) {
   const auto found = figures.sessions.find(session.id);
   const SessionFigures empty;
   const SessionFigures& counted = found == figures.sessions.end() ? empty : found->second;
-  Json json{
-      {"name", session.name}, {"keyframes", counted.keyframes}, {"with_pose", counted.with_pose}};
+  Json json = Json::object();
+  if (!session.name.empty()) json["name"] = session.name;
+  json["keyframes"] = counted.keyframes;
+  json["with_pose"] = counted.with_pose;
   const bool stamped = counted.first_stamp <= counted.last_stamp;
   json["seconds"] = stamped ? Json(counted.last_stamp - counted.first_stamp) : Json();
   return json;

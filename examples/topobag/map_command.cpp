@@ -42,7 +42,8 @@ void add_map_command(CLI::App& app) {
       .add_option("--out", arguments->out,
                   "Map to write: FILE.db for a durable one on SQLite, else a snapshot")
       ->required();
-  command.add_option("--session", arguments->session, "Name of the run [that of the table]");
+  command.add_option("--session", arguments->session,
+                     "Name of the run [that of the table]; for FILE.db");
   command.add_flag("--append", arguments->append, "Go on mapping where there is a map");
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
   command.callback([arguments] { make_map(*arguments); });

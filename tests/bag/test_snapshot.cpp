@@ -139,6 +139,8 @@ TEST_CASE("a refusal says what is wrong and what to do", "[bag][snapshot]") {
   CHECK(refusal("") == "it is cut off; take a complete copy");
   CHECK(refusal("CREATE TABLE bag;") ==
         "it is not a bag saved by topobag, or a copy as text has damaged it");
+  CHECK(refusal("hello") == "it is not a bag saved by topobag, or a copy as text has damaged it");
+  CHECK(refusal(good.substr(0, 5)) == "it is cut off; take a complete copy");
   CHECK(refusal(good.substr(0, 30)) == "it is cut off; take a complete copy");
   CHECK(refusal(good.substr(0, good.size() - 1)) ==
         "entry 2 of 3 cannot be read: it is cut off; take a complete copy");

@@ -38,12 +38,19 @@ TopologyGraph<> two_objects() {
 
 TEST_CASE("a bag is kept in a file", "[docs]") {
   const WorkingFolder folder;
+  const Eigen::Isometry3d T_world_camera(Eigen::Translation3d(1, 2, 3));
+  const TopologyGraph<> graph = two_objects();
   BagOfTopologyGraphs<> bag;
-  bag.add(KeyframeId{7}, two_objects());
-  save(bag, "flat.bag");                          // complete under its name, or not at all
-  bag = load<BagOfTopologyGraphs<>>("flat.bag");  // or a FormatError; `bag` is then as it was
+  EntryInfo info;  // what is known beside the graph, all of it optional
+  info.stamp = 1305031102.2;
+  info.T_world_camera = T_world_camera;
+  bag.add(KeyframeId{7}, graph, info);
+  save(bag, "kitchen.bag");                          // complete under its name, or not at all
+  bag = load<BagOfTopologyGraphs<>>("kitchen.bag");  // or a FormatError; `bag` is then as it was
   CHECK(bag.size() == 1);
-  CHECK(bag.contains(KeyframeId{7}));
+  REQUIRE(bag.contains(KeyframeId{7}));
+  CHECK(bag.info(KeyframeId{7})->stamp == info.stamp);
+  CHECK(bag.info(KeyframeId{7})->T_world_camera->isApprox(T_world_camera));
 }
 
 #ifdef TOPOBAG_HAS_SQLITE
@@ -52,11 +59,11 @@ TEST_CASE("a running map goes on where it was", "[docs]") {
   const TopologyGraph<> graph = two_objects();
   EntryInfo info;
   {
-    SqliteBag<> map("flat.db");  // a running map: opened again, it goes on
+    SqliteBag<> map("kitchen.db");  // a running map: opened again, it goes on
     info.session = map.begin_session("Monday");
     map.add(KeyframeId{7}, graph, info);
     map.bag().query(graph);
   }
-  CHECK(SqliteBag<>("flat.db").bag().contains(KeyframeId{7}));
+  CHECK(SqliteBag<>("kitchen.db").bag().contains(KeyframeId{7}));
 }
 #endif

@@ -58,7 +58,7 @@ TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
           break;
         case Verdict::outdone:
           ++outdone;
-          CHECK(candidate.failed()->name == "score over the threshold, of all candidates");
+          CHECK(candidate.failed()->name == "lead over the threshold, beside the best one's");
           break;
         case Verdict::no_agreement:
           CHECK(candidate.failed()->name == "objects that agree");

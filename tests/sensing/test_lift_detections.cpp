@@ -184,7 +184,8 @@ TEST_CASE("a class that the catalog does not hold is an error with its index", "
   } catch (const UnknownClass& error) {
     CHECK(error.index() == 1U);
     CHECK(std::string(error.what()) ==
-          "detection 1 has class id 80, which the catalog does not hold");
+          "detection 1 has class id 80, which the catalog does not hold: add it, or have "
+          "detection_traits number classes as the catalog does");
   }
 }
 

@@ -58,7 +58,10 @@ Figure precision_recall_figure(const std::vector<NamedScores>& methods) {
       figure.caption += "no true pair, so no curve. ";
     }
   }
-  figure.caption += "A pair without a score counts below every score.";
+  figure.caption +=
+      "A pair without a score counts below every score. All pairs are ranked here, those with "
+      "a rightful match from another side among the false ones where the protocol asks for a "
+      "common view.";
   figure.drawing = plot.svg("Precision over recall. " + figure.caption);
   return figure;
 }

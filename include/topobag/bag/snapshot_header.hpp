@@ -70,15 +70,14 @@ inline std::vector<std::uint8_t> to_bytes(const SnapshotHeader& header) {
 /// Reads the header of a saved bag and nothing more. Throws FormatError that says whether the file
 /// is foreign, cut off, damaged, or of a later version.
 inline SnapshotHeader inspect(std::istream& stream) {
-  const std::vector<std::uint8_t> magic = detail::read_bytes(stream, detail::snapshot_magic.size());
-  if (!std::equal(magic.begin(), magic.end(), detail::snapshot_magic.begin())) {
+  const auto& magic = detail::snapshot_magic;
+  const std::vector<std::uint8_t> bytes =
+      detail::read_at_most(stream, detail::snapshot_header_bytes + 4);
+  const auto known = static_cast<std::ptrdiff_t>(std::min(bytes.size(), magic.size()));
+  if (!std::equal(bytes.begin(), bytes.begin() + known, magic.begin())) {
     throw FormatError("it is not a bag saved by topobag, or a copy as text has damaged it");
   }
-  std::vector<std::uint8_t> bytes = magic;
-  for (const std::uint8_t byte :
-       detail::read_bytes(stream, detail::snapshot_header_bytes - magic.size() + 4)) {
-    bytes.push_back(byte);
-  }
+  detail::require_bytes(bytes, detail::snapshot_header_bytes + 4);
   detail::BitReader reader(bytes.data() + magic.size(), bytes.size() - magic.size());
   const auto number = [&](unsigned width) { return reader.get(width); };
   SnapshotHeader header;

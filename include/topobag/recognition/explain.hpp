@@ -77,7 +77,7 @@ std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOpt
                       {}});
   }
   if (best_margin && (report.verdict == Verdict::accepted || report.verdict == Verdict::outdone)) {
-    stages.push_back({"score over the threshold, of all candidates",
+    stages.push_back({"lead over the threshold, beside the best one's",
                       report.verdict == Verdict::accepted,
                       report.margin(),
                       *best_margin,

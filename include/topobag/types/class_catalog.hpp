@@ -151,7 +151,9 @@ namespace detail {
 inline void require_known(const ClassCatalog& catalog, ClassId label, std::size_t detection) {
   if (catalog.contains(label)) return;
   throw UnknownClass("detection " + std::to_string(detection) + " has class id " +
-                         std::to_string(value(label)) + ", which the catalog does not hold",
+                         std::to_string(value(label)) +
+                         ", which the catalog does not hold: add it, or have detection_traits "
+                         "number classes as the catalog does",
                      detection);
 }
 

@@ -21,9 +21,9 @@ inline void write_bytes(std::ostream& stream, const std::vector<std::uint8_t>& b
   if (!stream) throw Error("the bag could not be written");
 }
 
-/// The next `size` bytes. Grows with what is really there: a false size makes no room. Throws
-/// FormatError when there are fewer.
-inline std::vector<std::uint8_t> read_bytes(std::istream& stream, std::uint64_t size) {
+/// The next `size` bytes, or fewer where the stream ends. Grows with what is really there: a false
+/// size makes no room.
+inline std::vector<std::uint8_t> read_at_most(std::istream& stream, std::uint64_t size) {
   constexpr std::uint64_t chunk = 65536;
   std::vector<std::uint8_t> bytes;
   while (bytes.size() < size) {
@@ -31,10 +31,23 @@ inline std::vector<std::uint8_t> read_bytes(std::istream& stream, std::uint64_t 
     const auto wanted = static_cast<std::size_t>(std::min(chunk, size - old));
     bytes.resize(old + wanted);
     stream.read(reinterpret_cast<char*>(bytes.data() + old), static_cast<std::streamsize>(wanted));
-    if (static_cast<std::size_t>(stream.gcount()) != wanted) {
-      throw FormatError("it is cut off; take a complete copy");
-    }
+    const auto found = static_cast<std::size_t>(stream.gcount());
+    if (found == wanted) continue;
+    bytes.resize(old + found);
+    break;
   }
+  return bytes;
+}
+
+/// Throws FormatError when there are fewer than `size`.
+inline void require_bytes(const std::vector<std::uint8_t>& bytes, std::uint64_t size) {
+  if (bytes.size() < size) throw FormatError("it is cut off; take a complete copy");
+}
+
+/// The next `size` bytes. Throws FormatError when there are fewer.
+inline std::vector<std::uint8_t> read_bytes(std::istream& stream, std::uint64_t size) {
+  std::vector<std::uint8_t> bytes = read_at_most(stream, size);
+  require_bytes(bytes, size);
   return bytes;
 }
 
