@@ -59,9 +59,8 @@ Figure precision_recall_figure(const std::vector<NamedScores>& methods) {
     }
   }
   figure.caption +=
-      "A pair without a score counts below every score. All pairs are ranked here, those with "
-      "a rightful match from another side among the false ones where the protocol asks for a "
-      "common view.";
+      "Every pair is ranked by its score; one without a score counts below all. A match that is "
+      "right but no true pair by the protocol, such as one from another side, counts as false.";
   figure.drawing = plot.svg("Precision over recall. " + figure.caption);
   return figure;
 }
