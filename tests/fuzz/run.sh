@@ -15,6 +15,7 @@ program=examples/topobag
 declare -A sources=([node_table]="$program/node_table.cpp $program/csv_reader.cpp"
   [box_file]="$program/box_files.cpp $program/csv_reader.cpp" [delaunay]="-lgmp -lmpfr")
 out=build/fuzz
+[ -d /dev/shm ] && export TMPDIR=/dev/shm # some write their input to files: in memory that takes no time
 mkdir -p "$out"
 
 # Seeds: what the project's own files hold.
