@@ -56,8 +56,7 @@ class LocalGraph {
   /// Adds the nodes of the next key frame. Nodes without a position are left out.
   /// @param stamp               s, not before the last one
   /// @param nodes               in the key frame's camera frame
-  /// @param T_previous_current  from this key frame's camera to the last added one's; ignored for
-  /// the first
+  /// @param T_previous_current  from this key frame's camera to the last one's; the first has none
   /// @param view                the key frame's camera and occluders; `T_graph_camera` is ignored
   /// Throws InvalidValue for a stamp that goes back, for a pose or a camera that is not finite,
   /// and, with its index, for a node that a graph would refuse. O(objects² + objects · nodes).
@@ -192,8 +191,7 @@ class LocalGraph {
     }
   }
 
-  /// Joins objects that are one: boxes of two classes on one thing, and tracks that split. The
-  /// older id stays.
+  /// Joins objects that are one: two boxes on one thing, tracks that split. The older id stays.
   void merge_coincident() {
     std::vector<Node> estimates = fused();
     for (std::size_t a = 0; a < tracks_.size(); ++a) {
