@@ -9,8 +9,8 @@ need_build_tools
 need_packages libeigen3-dev libcgal-dev catch2 nlohmann-json3-dev libsqlite3-dev gcovr
 
 build=build/coverage
-# A build type of its own: nothing is optimised, so every line is there.
-cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Coverage -DCMAKE_CXX_FLAGS=--coverage \
+# A build type of its own: nothing is optimised, so every line is there. Threads count as well, hence atomic.
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Coverage -DCMAKE_CXX_FLAGS="--coverage -fprofile-update=atomic" \
   -DTOPOBAG_BUILD_EXAMPLES=OFF -DTOPOBAG_BUILD_BENCHMARKS=OFF
 cmake --build "$build" --parallel "$(nproc)" --target topobag_tests
 find "$build" -name '*.gcda' -delete # of an earlier run
