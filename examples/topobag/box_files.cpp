@@ -64,14 +64,17 @@ std::map<std::string, std::string> names_by_id(const nlohmann::json& file, const
 }
 
 /// The class of a number in COCO's own counting, which runs from 1 to 90 and leaves out ten.
-topobag::ClassId coco_class(int number) {
+topobag::ClassId coco_class(const nlohmann::json& category) {
+  // As a double first: a number in JSON may be more than an int holds.
+  const double given = category.is_number() ? category.get<double>() : 0.0;
+  const int number = given >= 1.0 && given <= 90.0 ? static_cast<int>(given) : 0;
   int position = number - 1;
   for (const int absent : {12, 26, 29, 30, 45, 66, 68, 69, 71, 83}) {
     if (number == absent) position = -1;
     if (number > absent) --position;
   }
-  if (position < 0 || position >= 80) {
-    throw InputError("category " + std::to_string(number) + " is none of COCO's");
+  if (position < 0 || given != number) {
+    throw InputError("category " + category.dump() + " is none of COCO's");
   }
   return topobag::ClassId{position};
 }
@@ -93,7 +96,7 @@ BoxesByImage read_coco(const std::string& path, const topobag::ClassCatalog& cat
       const nlohmann::json& category = entry.at("category_id");
       const auto called = categories.find(category.dump());
       const topobag::ClassId label =
-          called != categories.end() ? catalog.at(called->second) : coco_class(category.get<int>());
+          called != categories.end() ? catalog.at(called->second) : coco_class(category);
       const auto& box = entry.at("bbox");
       const double x = box.at(0), y = box.at(1), w = box.at(2), h = box.at(3);
       const double score = entry.value("score", 1.0);

@@ -86,6 +86,20 @@ TEST_CASE("COCO results go by COCO's own numbers", "[examples]") {
   }
 }
 
+TEST_CASE("a COCO category that is no whole number of an int is refused",
+          "[examples][regression]") {
+  const ScratchFolder folder;
+  for (const std::string category : {"3.3e26", "4294967297", "-1", "0", "91", "1.5", "null"}) {
+    const std::string file =
+        folder.write("results.json", R"([{"image_id": 1, "category_id": )" + category +
+                                         R"(, "bbox": [0, 0, 1, 1]}])");
+    const std::string error = error_in(folder, [&] { read(file); });
+    CAPTURE(category, error);
+    CHECK(error.find("results.json, entry 1: category ") == 0);
+    CHECK(error.find(" is none of COCO's") != std::string::npos);
+  }
+}
+
 TEST_CASE("a COCO data set names its images and categories", "[examples]") {
   const ScratchFolder folder;
   const BoxesByImage boxes = read(folder.write("set.json", R"({
