@@ -59,18 +59,18 @@ inline void ApplyRansac(ORB_SLAM2::Frame& frame) {
   }
 }
 
-/// Whether the place is the frame's: its map points are projected with the object pose, in windows
-/// that narrow while the pose gets better, and 50 have to stay inliers, as the host asks elsewhere.
-inline bool StandsAt(const Place<ORB_SLAM2::KeyFrame>& place, ORB_SLAM2::Frame& frame) {
-  std::vector<ORB_SLAM2::KeyFrame*> key_frames = place.key_frame->GetBestCovisibilityKeyFrames(10);
-  key_frames.insert(key_frames.begin(), place.key_frame);
-  frame.SetPose(cv::Mat(4, 4, CV_32F, const_cast<float*>(place.Tcw.data())));
-  struct Search {
-    float window;  // px
-    int distance;  // bits
-    int least;     // inliers to go on with
-  };
-  const Search searches[] = {{40.0f, 64, 10}, {12.0f, 80, 20}, {4.0f, 100, 50}};
+/// A search for the matches of a projected map point.
+struct Search {
+  float window;  // px at the finest level
+  int distance;  // bits
+  int least;     // inliers to go on with
+};
+
+/// Whether the frame, from the pose it has, gets a pose with 50 inliers, as the host asks
+/// elsewhere, in searches that narrow while the pose gets better.
+inline bool Converges(ORB_SLAM2::Frame& frame, const std::vector<ORB_SLAM2::KeyFrame*>& key_frames,
+                      const Search& first) {
+  const Search searches[] = {first, {12.0f, 80, 20}, {4.0f, 100, 50}};
   for (const Search& search : searches) {
     frame.mvpMapPoints.assign(static_cast<std::size_t>(frame.N), nullptr);
     frame.mvbOutlier.assign(static_cast<std::size_t>(frame.N), false);
@@ -81,6 +81,20 @@ inline bool StandsAt(const Place<ORB_SLAM2::KeyFrame>& place, ORB_SLAM2::Frame& 
     if (OptimizePose(frame) < search.least) return false;
   }
   return true;
+}
+
+/// Whether the place is the frame's: its map points are projected with the object pose. A pose of
+/// few objects may be 10 degrees off, 90 px: where a narrow first window fails, a wide one, that
+/// asks for more alike descriptors, gets its turn.
+inline bool StandsAt(const Place<ORB_SLAM2::KeyFrame>& place, ORB_SLAM2::Frame& frame) {
+  std::vector<ORB_SLAM2::KeyFrame*> key_frames = place.key_frame->GetBestCovisibilityKeyFrames(10);
+  key_frames.insert(key_frames.begin(), place.key_frame);
+  const cv::Mat Tcw(4, 4, CV_32F, const_cast<float*>(place.Tcw.data()));
+  for (const Search& first : {Search{40.0f, 64, 10}, Search{100.0f, 50, 10}}) {
+    frame.SetPose(Tcw);
+    if (Converges(frame, key_frames, first)) return true;
+  }
+  return false;
 }
 
 /// Tries the places one after the other. On success the frame has its pose and its map points; else
