@@ -290,3 +290,33 @@ TEST_CASE("a pose's covariance is that of the pairs it comes with", "[matching][
     }
   }
 }
+
+TEST_CASE("a degenerate pose hides no determined one", "[matching][regression]") {
+  std::mt19937 random(95);
+  const MatchOptions options;
+  MatchOptions all_options;  // no two poses are the same
+  all_options.distinct_translation = all_options.distinct_rotation = -1.0;
+  std::size_t beside_a_degenerate_one = 0;
+  for (int round = 0; round < 300; ++round) {
+    const TopologyGraph<> candidate = noisy_graph(random, 8, 2, 0.15);
+    const TopologyGraph<> query = jittered(random, candidate, 1.5);
+    const GraphMatch match = match_graphs(candidate, query, options);
+    const auto near = [&](const RelativePose& a, const RelativePose& b) {
+      const Eigen::Isometry3d between = a.T_candidate_query.inverse() * b.T_candidate_query;
+      return between.translation().norm() <= options.distinct_translation &&
+             Eigen::AngleAxisd(between.linear()).angle() <= options.distinct_rotation;
+    };
+    for (const RelativePose& pose : match_graphs(candidate, query, all_options).poses) {
+      if (pose.degenerate) continue;
+      bool told = false;
+      for (const RelativePose& other : match.poses) {
+        if (!near(other, pose) || other.score() < pose.score()) continue;
+        told = told || !other.degenerate;
+        beside_a_degenerate_one += other.degenerate ? 1 : 0;
+      }
+      CAPTURE(round);
+      CHECK(told);
+    }
+  }
+  CHECK(beside_a_degenerate_one > 0);
+}

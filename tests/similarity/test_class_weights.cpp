@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/similarity/class_histogram.hpp>
 #include <topobag/similarity/class_weights.hpp>
 
 #include "catch.hpp"
@@ -48,4 +49,13 @@ TEST_CASE("a weight has to be finite and not negative", "[similarity]") {
   CHECK_THROWS_AS(weights.set(ClassId{1}, std::numeric_limits<double>::quiet_NaN()), InvalidValue);
   CHECK(weights(ClassId{1}) == 2.0);
   CHECK_NOTHROW(weights.set(ClassId{1}, 0.0));
+}
+
+TEST_CASE("the largest weight keeps sums of squares finite, and a larger one is refused",
+          "[similarity][regression]") {
+  ClassWeights weights;
+  CHECK_THROWS_AS(weights.set(ClassId{1}, 1.0001e100), InvalidValue);
+  weights.set(ClassId{1}, 1e100);
+  const TopologyGraph<> graph = of_classes({1, 1, 2});
+  CHECK(ClassHistogram{HistogramMeasure::cosine, weights}(graph, graph) == Approx(1.0));
 }
