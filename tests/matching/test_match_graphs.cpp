@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -212,6 +213,54 @@ TEST_CASE("objects on a line leave the pose open", "[matching]") {
   const Recognition recognition = recognized(line, line);
   CHECK_FALSE(recognition);
   CHECK(recognition.candidates.at(0).verdict == Verdict::degenerate);
+}
+
+TEST_CASE("objects near a line leave the pose open, however well they are known", "[matching]") {
+  const auto near_a_line = [](double off) {
+    std::vector<SemanticNode<>> nodes;
+    for (int i = 0; i < 5; ++i) {
+      nodes.push_back(object_at(i, {0.4 * i * i - 3.0, i % 2 == 0 ? off : -off, 4.0}, 1e-3));
+    }
+    const TopologyGraph<> graph(nodes);
+    return match_graphs(graph, graph).poses.at(0);
+  };
+  CHECK(near_a_line(0.04).degenerate);
+  CHECK(near_a_line(0.04).rotation_deviation() < 0.1);
+  CHECK_FALSE(near_a_line(0.08).degenerate);
+}
+
+TEST_CASE("a pair supports a pose within its noise alone", "[matching]") {
+  std::mt19937 random(94);
+  const TopologyGraph<> place = noisy_graph(random, 6, 6, 0.01);
+  for (const double deviations : {2.5, 3.5}) {
+    auto nodes = place.nodes();
+    nodes.push_back(object_at(9, {0.3, 0.2, 3.0}, 0.04));
+    const TopologyGraph<> candidate(nodes);
+    // Along the viewing ray: nearly all of it is the noise of the two positions.
+    nodes.back().position->z() += deviations * std::sqrt(2.0) * 0.04;
+    const GraphMatch match = match_graphs(candidate, TopologyGraph<>(nodes));
+    REQUIRE_FALSE(match.poses.empty());
+    CHECK(match.poses.front().inliers.size() == (deviations < 3.0 ? 7 : 6));
+  }
+}
+
+TEST_CASE("no object supports a pose twice", "[matching]") {
+  std::mt19937 random(93);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<SemanticNode<>> nodes = noisy_graph(random, 6, 1).nodes();
+    for (std::size_t i = 0; i < 3; ++i) {  // a second one beside it
+      nodes.push_back(nodes[i]);
+      *nodes.back().position += Eigen::Vector3d::Constant(0.02);
+    }
+    const TopologyGraph<> crowded(nodes);
+    for (const RelativePose& pose : match_graphs(crowded, jittered(random, crowded, 1.0)).poses) {
+      std::set<NodeIndex> candidates, queries;
+      for (const Correspondence& pair : pose.inliers) {
+        CHECK(candidates.insert(pair.candidate).second);
+        CHECK(queries.insert(pair.query).second);
+      }
+    }
+  }
 }
 
 TEST_CASE("fewer than three objects give no pose", "[matching]") {

@@ -30,8 +30,8 @@ plant() {
   echo "${text/"$2"/"(planted($4) ? ($3) : ($2))"}" >"$file"
 }
 
-# The list: "== HEADER", and for each fault "- BEFORE" and "+ AFTER"; "? WHY" before a fault that changes no
-# answer.
+# The list: "== HEADER", and for each fault "- BEFORE" and "+ AFTER"; "? WHY" before a fault that no test
+# can notice.
 headers=() texts=() reasons=()
 why=
 while read -r mark text; do
@@ -116,5 +116,5 @@ at_once try "${!headers[@]}" | tee "$out/results.txt"
 
 noticed=$(grep -c ^noticed "$out/results.txt" || true)
 explained=$(grep -c ^explained "$out/results.txt" || true)
-echo "$noticed of ${#headers[@]} faults are noticed; of the others $explained change no answer"
+echo "$noticed of ${#headers[@]} faults are noticed; $explained of the others are explained"
 [ $((100 * noticed)) -ge $((95 * ${#headers[@]})) ]

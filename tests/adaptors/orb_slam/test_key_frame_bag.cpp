@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <set>
 #include <thread>
@@ -96,6 +97,30 @@ TEST_CASE("a refresh makes the graphs anew with the poses of now", "[adaptors]")
   second.SetPoseInverse(truth);
   bag.refresh();
   CHECK(matched() > askew);
+}
+
+TEST_CASE("places newer than asked for, and those left out, are none", "[adaptors]") {
+  const SyntheticRoom room(7, 9, 4);
+  const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  small_host::KeyFrame early(1, 0.0, origin), late(2, 50.0, origin);
+  KeyFrameBag<small_host::KeyFrame> bag({}, {});
+  for (small_host::KeyFrame* key_frame : {&early, &late}) {
+    bag.add(*key_frame);
+    bag.observe(0, key_frame->mnId, small_host::sighting(room, key_frame->mTimeStamp, origin));
+  }
+  using KeyFrames = std::set<small_host::KeyFrame*>;
+  const auto found = [&](const KeyFrames& excluded, std::optional<double> newest) {
+    KeyFrames key_frames;
+    for (const auto& place : bag.places(room.seen_from(origin), excluded, newest, nullptr)) {
+      key_frames.insert(place.key_frame);
+    }
+    return key_frames;
+  };
+  CHECK(found({}, {}) == KeyFrames{&early, &late});
+  CHECK(found({}, 50.0) == KeyFrames{&early, &late});
+  CHECK(found({}, 49.0) == KeyFrames{&early});
+  CHECK(found({&early}, {}) == KeyFrames{&late});
+  CHECK(found({&early}, 49.0).empty());
 }
 
 TEST_CASE("a refused sighting does not poison its neighbours", "[adaptors]") {
