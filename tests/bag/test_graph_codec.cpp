@@ -266,6 +266,11 @@ TEST_CASE("what cannot be kept is refused with its index", "[bag][codec]") {
   View<> view;
   view.occluders.push_back({{0, 0, std::nan(""), 1}, 0});
   CHECK_THROWS_AS(encode(TopologyGraph<>({}, {}, {View<>{}, view})), InvalidValue);
+  View<> far_off;
+  far_off.T_graph_camera.translation().y() = -std::ldexp(1.0, 20);
+  CHECK_NOTHROW(encode(TopologyGraph<>({}, {}, {far_off})));
+  far_off.T_graph_camera.translation().y() -= 1.0;
+  CHECK_THROWS_AS(encode(TopologyGraph<>({}, {}, {far_off})), InvalidValue);
 }
 
 TEST_CASE("what is encoded can be decoded, up to 4096 nodes", "[bag][codec]") {

@@ -11,13 +11,15 @@ namespace {
 
 template <typename Number>
 std::string npy(const std::string& type, const std::string& order, const std::string& shape,
-                const std::vector<Number>& numbers, char version = 1) {
+                const std::vector<Number>& numbers, char version = 1,
+                std::size_t header_size = 118) {
   std::string dictionary =
       "{'descr': '" + type + "', 'fortran_order': " + order + ", 'shape': " + shape + ", }";
-  dictionary.resize(117, ' ');
+  dictionary.resize(header_size - 1, ' ');
   dictionary += '\n';
   std::string file("\x93NUMPY");
-  file += {version, '\0', char(118), '\0'};
+  file +=
+      {version, '\0', static_cast<char>(header_size % 256), static_cast<char>(header_size / 256)};
   if (version > 1) file += std::string(2, '\0');
   file += dictionary;
   file.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
@@ -55,6 +57,9 @@ TEST_CASE("matrices of every number type, in rows and in columns", "[evaluation]
   check_type<std::uint16_t>("<u2");
   check_type<std::uint8_t>("|u1");
   CHECK(matrix_in(npy<double>("<f8", "False", "(0, 7)", {})).cols() == 7);
+  for (const char version : {1, 2}) {  // a header whose length takes more than a byte
+    CHECK(matrix_in(npy<double>("<f8", "False", "(1, 2)", {5, 6}, version, 4000))(0, 1) == 6);
+  }
 }
 
 TEST_CASE("what is not a matrix file is refused", "[evaluation]") {

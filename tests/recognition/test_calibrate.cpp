@@ -62,6 +62,37 @@ TEST_CASE("certain negatives take the null model's place once there are enough",
             .negatives() == 0);
 }
 
+TEST_CASE("negatives are looked up through the retrieval's own filter", "[recognition]") {
+  RecognitionOptions options;
+  options.retrieval.filter = [](KeyframeId id, const EntryInfo&) { return id == KeyframeId{0}; };
+  Relocalizer<> relocalizer(options);
+  const auto ids = fill(relocalizer, 6);
+  CalibrateOptions calibrating;
+  calibrating.null_look_ups = 0;
+  // Key frame 0 has no other place that passes.
+  CHECK(calibrate(relocalizer, ids, differ, calibrating).negatives() == 5);
+}
+
+TEST_CASE("enough certain negatives are all that is learnt from", "[recognition]") {
+  Relocalizer<> relocalizer;
+  const auto ids = fill(relocalizer, 6);
+  CalibrateOptions with_null, without;
+  with_null.calibration.min_negatives = without.calibration.min_negatives = 6;
+  without.null_look_ups = 0;
+  const Calibration a = calibrate(relocalizer, ids, differ, with_null);
+  const Calibration b = calibrate(relocalizer, ids, differ, without);
+  CHECK(a.look_ups() == 6);
+  for (const double rate : {0.5, 0.1, 0.01})
+    CHECK(a.threshold(rate).score == b.threshold(rate).score);
+  std::size_t asked = 0;  // how often the map is, through its filter
+  RecognitionOptions counting;
+  counting.retrieval.filter = [&](KeyframeId, const EntryInfo&) { return ++asked > 0; };
+  Relocalizer<> counted(counting);
+  fill(counted, 6);
+  calibrate(counted, ids, differ, with_null);
+  CHECK(asked == 30);
+}
+
 TEST_CASE("a calibrated decision asks for the score of its rate", "[recognition]") {
   Relocalizer<> relocalizer;
   const auto ids = fill(relocalizer, 6);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -116,6 +117,49 @@ TEST_CASE("what was expected and is missing is named, with its place and why", "
   CHECK(candidate.changes[0].change.kind == ChangeKind::gone);
   CHECK(stage(candidate, "score").value == found.accepted->pose->score());
   CHECK(to_string(explanation).find("matched class 999") != std::string::npos);
+}
+
+TEST_CASE("what the query holds and the candidate lacks is placed in the candidate's frame",
+          "[recognition]") {
+  std::mt19937 random(5);
+  const TopologyGraph<> place = noisy_graph(random, 6, 6, 0.01);
+  View<> view;
+  view.camera = {300.0, 300.0, 319.5, 239.5, 640, 480};
+  const TopologyGraph<> candidate(place.nodes(), {}, {view});
+  Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
+  T_candidate_query.translation() = Eigen::Vector3d(0.4, -0.1, 0.2);
+  auto nodes = moved(place, T_candidate_query.inverse()).nodes();
+  nodes.push_back(object_at(9, {-0.2, 0.3, 2.5}));
+  const TopologyGraph<> query(nodes);
+  Relocalizer<> relocalizer;
+  relocalizer.map().add(KeyframeId{3}, candidate);
+  const Recognition found = relocalizer.localize(query);
+  REQUIRE(found);
+  const ClassCatalog coco = ClassCatalog::coco80();
+  const Explanation explanation = explain(found, relocalizer.map(), query, coco, {});
+  REQUIRE(explanation.candidates.at(0).missing.size() == 1);
+  const ExplainedMissing& missing = explanation.candidates[0].missing[0];
+  CHECK_FALSE(missing.of_candidate);
+  CHECK((missing.position - T_candidate_query * Eigen::Vector3d(-0.2, 0.3, 2.5)).norm() < 0.01);
+
+  // The report names the query's seventh node; a query without it is another.
+  const TopologyGraph<> other_query(std::vector<SemanticNode<>>(nodes.begin(), nodes.end() - 1));
+  CHECK(explain(found, relocalizer.map(), other_query, coco, {}).candidates.empty());
+}
+
+TEST_CASE("the support of a pose is told beside that of the best other one", "[recognition]") {
+  CandidateReport report;
+  report.pose.emplace();
+  report.pose->significance = 9.0;
+  report.pose->degenerate = false;
+  for (const double support : {2.0, 5.0, 3.0}) {
+    RelativePose& other = report.other_poses.emplace_back();
+    other.significance = support;
+    other.degenerate = false;
+  }
+  const auto stages = detail::stages_of(report, RecognitionOptions{}, std::nullopt);
+  CHECK(stages.back().name == "support over other poses");
+  CHECK(stages.back().value == Approx(4.0));
 }
 
 TEST_CASE("a candidate that has left the bag is passed over, an unusable query is said to be",

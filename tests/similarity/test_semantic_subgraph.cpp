@@ -23,6 +23,9 @@ TEST_CASE("box shapes on hand-computed numbers", "[similarity]") {
   CHECK(similarity(graph_of({sized(1, 2, 3)}), graph_of({sized(1, 4, 2)})) == Approx(1.0 / 3.0));
   CHECK(similarity(graph_of({sized(1, 2, 3)}), graph_of({sized(1, 0, 0)})) == 1.0);
   CHECK(similarity(graph_of({sized(1, 2, 3)}), graph_of({sized(2, 2, 3)})) == 0.0);
+  // An unknown size on either side.
+  CHECK(similarity(graph_of({sized(1, 2, 0), sized(2, 0, 3)}),
+                   graph_of({sized(1, 0, 3), sized(2, 2, 0)})) == Approx(1.0));
 }
 
 TEST_CASE("distances of a sub-graph on hand-computed numbers", "[similarity]") {

@@ -27,4 +27,12 @@ TEST_CASE("pairs of labels along two edges on hand-computed graphs", "[similarit
   const auto triangle = graph_of({node_at(1), node_at(2), node_at(3)}, {{0, 1}, {1, 2}, {0, 2}});
   const auto path = graph_of({node_at(1), node_at(2), node_at(3)}, {{0, 1}, {1, 2}});
   CHECK(similarity(triangle, path) == Approx((std::sqrt(0.5) + 0.0 + std::sqrt(0.5)) / 3.0));
+  // A longer path: around 1 the pairs 23 and 24, of which the other graph has the first alone.
+  const auto fork =
+      graph_of({node_at(1), node_at(2), node_at(3), node_at(4)}, {{0, 1}, {1, 2}, {1, 3}});
+  similarity.weights.set(ClassId{2}, 0.5);
+  similarity.weights.set(ClassId{4}, 3.0);
+  const double around_1 = 0.5 / std::sqrt(0.5 * 0.5 + 1.5 * 1.5);
+  // Around 3 the pairs 21 and 24, of which the other graph has the first; around 2 both have none.
+  CHECK(similarity(fork, path) == Approx((around_1 + 1.0 + around_1) / 4.0));
 }
