@@ -12,6 +12,14 @@
 
 namespace {
 
+/// What is wrong with the command line; CLI11 asks for a command without naming the one that there
+/// is not.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+  const auto words = app.remaining();
+  if (!app.get_subcommands().empty() || words.empty()) return error.what();
+  return "there is no command '" + words.front() + "'";
+}
+
 /// Says what is wrong in one line on stderr.
 int fail(const std::string& message) {
   std::cerr << "topobag: " << message.substr(0, message.find('\n')) << '\n';
@@ -41,7 +49,7 @@ int main(int argc, char** argv) {
     if (!std::cout.flush()) return fail("the output cannot be written");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // --help
-    return fail(error.what() + std::string("; see topobag --help"));
+    return fail(complaint(app, error) + "; see topobag --help");
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -17,6 +17,7 @@ TEST_CASE("the program helps", "[examples]") {
 
 TEST_CASE("wrong arguments end the program with one line and exit code 2", "[examples]") {
   CHECK(refusal("") == "A subcommand is required; see topobag --help");
+  CHECK(refusal("localise --map x") == "there is no command 'localise'; see topobag --help");
   refusal("fly");
   CHECK(refusal("nodes") == "--images is required; see topobag --help");
   const std::string nodes = "nodes --images nowhere --model nothing --out nodes ";
