@@ -57,7 +57,7 @@ TEST_CASE("matrices of every number type, in rows and in columns", "[evaluation]
   check_type<std::uint16_t>("<u2");
   check_type<std::uint8_t>("|u1");
   CHECK(matrix_in(npy<double>("<f8", "False", "(0, 7)", {})).cols() == 7);
-  for (const char version : {1, 2}) {  // a header whose length takes more than a byte
+  for (const char version : {char{1}, char{2}}) {  // a header whose length takes more than a byte
     CHECK(matrix_in(npy<double>("<f8", "False", "(1, 2)", {5, 6}, version, 4000))(0, 1) == 6);
   }
 }

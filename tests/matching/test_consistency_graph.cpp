@@ -127,7 +127,7 @@ TEST_CASE("beyond max_pairs the classes with the most pairs are left out", "[mat
   options.max_pairs = 20;
   CHECK(ConsistencyGraph(graph, graph, options).pairs().size() == 20);
   CHECK(ConsistencyGraph(graph, graph, options).complete());
-  for (const std::size_t max_pairs : {19, 4}) {
+  for (const std::size_t max_pairs : {19U, 4U}) {
     options.max_pairs = max_pairs;
     const ConsistencyGraph cut(graph, graph, options);
     CHECK_FALSE(cut.complete());
