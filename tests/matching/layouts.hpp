@@ -75,6 +75,11 @@ inline Eigen::Isometry3d random_motion(std::mt19937& random, double metres) {
   return Eigen::Translation3d(a, b, c) * rotation;
 }
 
+/// The angle of the rotation between the two.
+inline double angle_between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
+}
+
 /// The same objects in another frame.
 inline topobag::TopologyGraph<> moved(const topobag::TopologyGraph<>& graph,
                                       const Eigen::Isometry3d& T_new_old) {
