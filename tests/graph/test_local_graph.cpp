@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <map>
 #include <optional>
 #include <random>
 #include <vector>
@@ -14,77 +11,18 @@
 #include <topobag/graph/local_graph.hpp>
 
 #include "catch.hpp"
+#include "graph/flickering_scene.hpp"
 #include "matching/layouts.hpp"
 
 using namespace topobag;
 
 namespace {
 
-const Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
-
-View<> camera_view() {
-  View<> view;
-  view.camera = {500.0, 500.0, 319.5, 239.5, 640, 480};
-  return view;
-}
-
-/// Six objects before a camera that moves sideways and turns, seen with noise in 60 % of the frames
-/// (10 a second); from the second second on each frame adds a box on nothing.
-class FlickeringScene {
- public:
-  static constexpr std::size_t frames = 80;
-
-  explicit FlickeringScene(unsigned seed) : random_(seed) {}
-
-  static std::vector<SemanticNode<>> things() {
-    return {object_at(1, {-0.7, 0.4, 3.0}), object_at(1, {0.6, 0.5, 3.5}),
-            object_at(2, {0.0, -0.3, 3.0}), object_at(3, {-0.3, 0.1, 2.5}),
-            object_at(4, {0.4, 0.0, 2.6}),  object_at(1, {-0.1, 0.5, 4.0})};
-  }
-
-  static Eigen::Isometry3d T_world_camera(std::size_t frame) {
-    const double share = static_cast<double>(frame) / static_cast<double>(frames) - 0.5;
-    return Eigen::Translation3d(0.8 * share, 0.05 * share, 0) *
-           Eigen::AngleAxisd(-0.1 * share, Eigen::Vector3d::UnitY());
-  }
-
-  std::vector<SemanticNode<>> nodes(std::size_t frame) {
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    std::vector<SemanticNode<>> seen;
-    for (const auto& thing : things()) {
-      if (unit(random_) < 0.6) seen.push_back(thing);
-    }
-    if (frame >= 10) {
-      const double x = unit(random_), y = unit(random_);
-      seen.push_back(object_at(5, {x - 0.5, y - 0.5, 1.5}));
-    }
-    const TopologyGraph<> in_camera = moved(TopologyGraph<>(seen), T_world_camera(frame).inverse());
-    return jittered(random_, in_camera, 1.0).nodes();
-  }
-
-  static Eigen::Isometry3d T_previous_current(std::size_t frame) {
-    if (frame == 0) return still;
-    return T_world_camera(frame - 1).inverse() * T_world_camera(frame);
-  }
-
- private:
-  std::mt19937 random_;
-};
-
 /// The fused object nearest to a point, if it is within 0.1 m.
 std::optional<ObjectId> object_near(const LocalGraph<>& local, const Eigen::Vector3d& point,
                                     ClassId label) {
   for (const auto& [id, node] : local.objects()) {
     if (node.label == label && (*node.position - point).norm() < 0.1) return id;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::size_t> refused_node(const std::function<void()>& add) {
-  try {
-    add();
-  } catch (const InvalidValue& error) {
-    return error.index();
   }
   return std::nullopt;
 }
@@ -268,55 +206,4 @@ TEST_CASE("a node whose covariance is not modelled gets the default noise", "[gr
   REQUIRE(local.objects().size() == 1);
   CHECK(local.objects()[0].second.covariance.isApprox(
       NodeNoise{}.covariance(*node.position, node.size, false), 1e-9));
-}
-
-TEST_CASE("bad data is refused and changes nothing", "[graph]") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const SemanticNode<> object = object_at(1, {0, 0, 2});
-  Eigen::Isometry3d bad_pose = still;
-  bad_pose.translation().x() = nan;
-  LocalGraph<> local;
-  CHECK_THROWS_AS(local.add(nan, {object}, still), InvalidValue);
-  CHECK(local.view_count() == 0);
-  local.add(1.0, {object}, bad_pose);  // of the first key frame: ignored
-  const Eigen::Isometry3d step(Eigen::Translation3d(0, 0, 1));
-  CHECK_THROWS_AS(local.add(0.9, {object}, step), InvalidValue);
-  CHECK_THROWS_AS(local.add(std::numeric_limits<double>::infinity(), {object}, step), InvalidValue);
-  CHECK_THROWS_AS(local.add(1.1, {object}, bad_pose), InvalidValue);
-  CHECK(local.view_count() == 1);
-  REQUIRE(local.objects().size() == 1);
-  CHECK(local.objects()[0].second.position->isApprox(*object.position));
-  local.add(1.0, {}, still);  // the same stamp is no step back
-}
-
-TEST_CASE("a node that is not finite is refused by its index", "[graph][regression]") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  SemanticNode<> bad = object_at(1, {0, 0, 2});
-  bad.position->y() = nan;
-  LocalGraph<> local;
-  local.add(0.0, {object_at(1, {0, 0, 2})}, still);
-  const Eigen::Isometry3d step(Eigen::Translation3d(0, 0, 1));
-  CHECK(refused_node([&] { local.add(0.1, {object_at(2, {1, 0, 2}), bad}, step); }) == 1U);
-  REQUIRE(local.graph().size() == 1);
-  CHECK(local.graph().nodes()[0].position->isApprox(Eigen::Vector3d(0, 0, 2)));
-}
-
-TEST_CASE("a camera that is not finite is refused, an unknown one is not", "[graph][regression]") {
-  LocalGraph<> local;
-  View<> view = camera_view();
-  view.camera.cx = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(local.add(0.0, {object_at(1, {0, 0, 2})}, still, view), InvalidValue);
-  CHECK(local.view_count() == 0);
-  local.add(0.0, {object_at(1, {0, 0, 2})}, still, View<>{});
-  CHECK(local.graph().size() == 1);
-}
-
-TEST_CASE("a covariance without an inverse is refused and swallows no object",
-          "[graph][regression]") {
-  LocalGraph<> local;
-  SemanticNode<> flat = object_at(1, {0, 0, 2});
-  flat.covariance = Eigen::Vector3d(0, 0, 0.04).asDiagonal();
-  CHECK(refused_node([&] { local.add(0.0, {flat}, still); }) == 0U);
-  local.add(0.1, {object_at(1, {0, 0, 2}), object_at(2, {1, 0, 2})}, still);
-  CHECK(local.graph().size() == 2);
 }

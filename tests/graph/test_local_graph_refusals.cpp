@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include <topobag/graph/local_graph.hpp>
+
+#include "catch.hpp"
+#include "graph/flickering_scene.hpp"
+#include "matching/layouts.hpp"
+
+using namespace topobag;
+
+namespace {
+
+std::optional<std::size_t> refused_node(const std::function<void()>& add) {
+  try {
+    add();
+  } catch (const InvalidValue& error) {
+    return error.index();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("bad data is refused and changes nothing", "[graph]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const SemanticNode<> object = object_at(1, {0, 0, 2});
+  Eigen::Isometry3d bad_pose = still;
+  bad_pose.translation().x() = nan;
+  LocalGraph<> local;
+  CHECK_THROWS_AS(local.add(nan, {object}, still), InvalidValue);
+  CHECK(local.view_count() == 0);
+  local.add(1.0, {object}, bad_pose);  // of the first key frame: ignored
+  const Eigen::Isometry3d step(Eigen::Translation3d(0, 0, 1));
+  CHECK_THROWS_AS(local.add(0.9, {object}, step), InvalidValue);
+  CHECK_THROWS_AS(local.add(std::numeric_limits<double>::infinity(), {object}, step), InvalidValue);
+  CHECK_THROWS_AS(local.add(1.1, {object}, bad_pose), InvalidValue);
+  CHECK(local.view_count() == 1);
+  REQUIRE(local.objects().size() == 1);
+  CHECK(local.objects()[0].second.position->isApprox(*object.position));
+  local.add(1.0, {}, still);  // the same stamp is no step back
+}
+
+TEST_CASE("a node that is not finite is refused by its index", "[graph][regression]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  SemanticNode<> bad = object_at(1, {0, 0, 2});
+  bad.position->y() = nan;
+  LocalGraph<> local;
+  local.add(0.0, {object_at(1, {0, 0, 2})}, still);
+  const Eigen::Isometry3d step(Eigen::Translation3d(0, 0, 1));
+  CHECK(refused_node([&] { local.add(0.1, {object_at(2, {1, 0, 2}), bad}, step); }) == 1U);
+  REQUIRE(local.graph().size() == 1);
+  CHECK(local.graph().nodes()[0].position->isApprox(Eigen::Vector3d(0, 0, 2)));
+}
+
+TEST_CASE("a camera that is not finite is refused, an unknown one is not", "[graph][regression]") {
+  LocalGraph<> local;
+  View<> view = camera_view();
+  view.camera.cx = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(local.add(0.0, {object_at(1, {0, 0, 2})}, still, view), InvalidValue);
+  CHECK(local.view_count() == 0);
+  local.add(0.0, {object_at(1, {0, 0, 2})}, still, View<>{});
+  CHECK(local.graph().size() == 1);
+}
+
+TEST_CASE("a covariance without an inverse is refused and swallows no object",
+          "[graph][regression]") {
+  LocalGraph<> local;
+  SemanticNode<> flat = object_at(1, {0, 0, 2});
+  flat.covariance = Eigen::Vector3d(0, 0, 0.04).asDiagonal();
+  CHECK(refused_node([&] { local.add(0.0, {flat}, still); }) == 0U);
+  local.add(0.1, {object_at(1, {0, 0, 2}), object_at(2, {1, 0, 2})}, still);
+  CHECK(local.graph().size() == 2);
+}
