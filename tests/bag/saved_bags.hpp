@@ -50,3 +50,10 @@ std::string saved(const Bag& bag, const topobag::SaveOptions& options = {}) {
   topobag::save(bag, stream, options);
   return stream.str();
 }
+
+/// The bag that `load` reads from these bytes.
+inline topobag::BagOfTopologyGraphs<> loaded(const std::string& bytes,
+                                             std::uint64_t catalog_fingerprint = 0) {
+  std::istringstream stream(bytes);
+  return topobag::load<topobag::BagOfTopologyGraphs<>>(stream, catalog_fingerprint);
+}

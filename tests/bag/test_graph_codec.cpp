@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <limits>
 #include <random>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -13,6 +11,7 @@
 #include <topobag/edges/complete_edges.hpp>
 #include <topobag/sensing/node_noise.hpp>
 
+#include "bag/realistic_graphs.hpp"
 #include "catch.hpp"
 #include "random_graphs.hpp"
 
@@ -21,46 +20,6 @@ using namespace topobag;
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-constexpr double half_a_turn = 3.14159265358979323846;
-
-/// A view of a room with some boxes in it, anywhere and turned anyhow.
-View<> random_view(std::mt19937& random) {
-  std::uniform_real_distribution<double> metres(-5.0, 5.0), unit(0.0, 1.0);
-  View<> view;
-  view.T_graph_camera =
-      Eigen::AngleAxisd(half_a_turn * unit(random),
-                        Eigen::Vector3d(metres(random), metres(random), 0.1).normalized())
-          .toRotationMatrix();
-  view.T_graph_camera.translation() =
-      Eigen::Vector3d(metres(random), metres(random), metres(random));
-  view.camera = {517.3, 516.5, 318.6, 255.3, 640, 480};
-  std::uniform_int_distribution<int> boxes(0, 6);
-  for (int i = boxes(random); i > 0; --i) {
-    view.occluders.push_back({box_around({640.0 * unit(random), 480.0 * unit(random)},
-                                         200.0 * unit(random), 200.0 * unit(random)),
-                              unit(random) < 0.3 ? 0.0 : 5.0 * unit(random)});
-  }
-  return view;
-}
-
-/// A graph such as a front end makes: noise of the model, single frames and fused ones, views.
-TopologyGraph<> realistic_graph(std::mt19937& random, std::size_t count, bool with_views = true) {
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  std::vector<SemanticNode<>> nodes = random_nodes(random, count, 80, false);
-  for (auto& node : nodes) {
-    node.confidence = unit(random);
-    node.existence = unit(random) < 0.5 ? 1.0 : 0.01 + 0.99 * unit(random);
-    if (!node.position || unit(random) < 0.1) continue;
-    node.covariance = (0.2 + unit(random)) *
-                      NodeNoise{}.covariance(*node.position, node.size, unit(random) < 0.3);
-  }
-  std::vector<View<>> views;
-  if (with_views) {
-    for (int i = 0; i < 3; ++i) views.push_back(random_view(random));
-  }
-  return make_topology_graph(std::move(nodes), KnnEdges{3}, std::move(views));
-}
 
 double max_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff();
@@ -250,76 +209,4 @@ TEST_CASE("any set of edges comes back", "[bag][codec]") {
   }
   const auto nodes = random_nodes(random, 400);
   CHECK(encode(TopologyGraph<>(nodes, KnnEdges{4}(nodes))).size() < 400 * 18);
-}
-
-TEST_CASE("what cannot be kept is refused with its index", "[bag][codec]") {
-  std::vector<SemanticNode<>> nodes(3);
-  nodes[2].position = Eigen::Vector3d(0, 2e6, 0);
-  try {
-    encode(TopologyGraph<>(nodes));
-    FAIL("a node beyond the format's reach was taken");
-  } catch (const InvalidValue& error) {
-    CHECK(error.index() == 2u);
-    CHECK(error.what() ==
-          std::string("node 2 is more than 2^20 m away: a graph is kept in metres"));
-  }
-  View<> view;
-  view.occluders.push_back({{0, 0, std::nan(""), 1}, 0});
-  CHECK_THROWS_AS(encode(TopologyGraph<>({}, {}, {View<>{}, view})), InvalidValue);
-  View<> far_off;
-  far_off.T_graph_camera.translation().y() = -std::ldexp(1.0, 20);
-  CHECK_NOTHROW(encode(TopologyGraph<>({}, {}, {far_off})));
-  far_off.T_graph_camera.translation().y() -= 1.0;
-  CHECK_THROWS_AS(encode(TopologyGraph<>({}, {}, {far_off})), InvalidValue);
-}
-
-TEST_CASE("what is encoded can be decoded, up to 4096 nodes", "[bag][codec]") {
-  CHECK(decode(encode(TopologyGraph<>(std::vector<SemanticNode<>>(4096)))).size() == 4096);
-  CHECK_THROWS_AS(encode(TopologyGraph<>(std::vector<SemanticNode<>>(4097))), InvalidValue);
-}
-
-/// Why the bytes were refused, or nothing; anything but a FormatError goes on to the test.
-std::string refusal(const Bytes& bytes) {
-  try {
-    decode(bytes);
-    return {};
-  } catch (const FormatError& error) {
-    return error.what();
-  }
-}
-
-TEST_CASE("bytes that no encoder wrote are refused or give a graph", "[bag][codec]") {
-  std::mt19937 random(8);
-  const Bytes good = encode(realistic_graph(random, 12));
-  for (std::size_t size = 0; size < good.size(); ++size) {
-    CHECK_THROWS_AS(decode(good.data(), size), FormatError);
-  }
-  std::size_t refused = 0;
-  for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
-    Bytes flipped = good;
-    flipped[bit / 8] = static_cast<std::uint8_t>(flipped[bit / 8] ^ 1u << bit % 8);
-    if (!refusal(flipped).empty()) ++refused;
-  }
-  CHECK(refused > 100);
-  for (int trial = 0; trial < 20000; ++trial) {
-    Bytes noise(1 + random() % 200);
-    for (auto& byte : noise) byte = static_cast<std::uint8_t>(random());
-    noise[0] = static_cast<std::uint8_t>((noise[0] & 0xF0) | graph_codec_version);
-    refusal(noise);
-  }
-  Bytes longer = good;
-  longer.push_back(0);
-  CHECK(refusal(longer) == "the data go on after their end: they are damaged");
-  Bytes later = good;
-  later[0] = static_cast<std::uint8_t>((later[0] & 0xF0) | (graph_codec_version + 1));
-  CHECK(refusal(later).find("a graph of format 2; this version") == 0);
-}
-
-TEST_CASE("a graph that announces 2^59 nodes is refused before room is made", "[bag][codec]") {
-  detail::BitWriter writer;
-  writer.put(graph_codec_version, 4);
-  writer.put(0, 1);
-  writer.put_number(std::uint64_t{1} << 59);
-  for (int i = 0; i < 100; ++i) writer.put(0, 64);
-  CHECK_THROWS_AS(decode(writer.take()), FormatError);
 }
