@@ -10,6 +10,7 @@
 
 #include "catch.hpp"
 #include "edges/planar_layouts.hpp"
+#include "edges/planar_truth.hpp"
 
 using namespace topobag;
 using layouts::Random;

@@ -13,6 +13,7 @@
 #include "catch.hpp"
 #include "edges/planar_layouts.hpp"
 #include "edges/planar_triangulations.hpp"
+#include "edges/planar_truth.hpp"
 
 using namespace topobag;
 using namespace layouts;

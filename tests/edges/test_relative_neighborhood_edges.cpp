@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "edges/planar_layouts.hpp"
+#include "edges/planar_truth.hpp"
 
 using namespace topobag;
 using namespace layouts;
