@@ -37,6 +37,7 @@
 #include <topobag/edges/projections.hpp>
 #include <topobag/edges/radius_edges.hpp>
 #include <topobag/graph/correlation_matrix.hpp>
+#include <topobag/graph/gravity.hpp>
 #include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/graph/object_track.hpp>

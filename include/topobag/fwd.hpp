@@ -21,6 +21,8 @@ struct Edge;
 template <typename Scalar>
 struct View;
 template <typename Scalar>
+struct Gravity;
+template <typename Scalar>
 class TopologyGraph;
 template <typename Scalar>
 class LocalGraph;

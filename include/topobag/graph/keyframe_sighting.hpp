@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include <topobag/graph/gravity.hpp>
 #include <topobag/graph/view.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
@@ -21,6 +23,7 @@ struct KeyframeSighting {
   double stamp = 0.0;                 ///< s
   std::vector<SemanticNode<>> nodes;  ///< in the key frame's camera frame
   View<> view;                        ///< its camera and what hides things from it
+  std::optional<Gravity<>> gravity;   ///< down in its camera frame, where the front end knows
 };
 
 /// What of a key frame's detections is used.
@@ -30,7 +33,7 @@ struct SightingOptions {
 };
 
 /// Lifts the detections of a key frame and notes what they hide. People hide things too; a box of
-/// half the image is a room and hides nothing.
+/// half the image is a room and hides nothing. The gravity is the caller's to fill in.
 ///
 /// @param stamp       s
 /// @param detections  a vector of `RangedDetection`, as `range_detections` gives them

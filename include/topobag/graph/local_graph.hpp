@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 
 #include <topobag/edges/knn_edges.hpp>
 #include <topobag/error.hpp>
+#include <topobag/graph/gravity.hpp>
 #include <topobag/graph/object_track.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/graph/view.hpp>
@@ -30,10 +32,10 @@ struct LocalGraphOptions {
   double other_class_gate = 1.0;  ///< σ for another class: detectors waver between tv and laptop
   SameObject merge{0.3};          ///< when two objects of whatever class are made one
   double merge_gate = 2.0;        ///< σ for two of one class that no view shows together
-  double correlation = 0.5;       ///< share of a sighting's error that the others repeat
-  double image_margin = 20.0;     ///< px from the border within which nothing need show
-  double max_depth = 8.0;         ///< m beyond which nothing need show
-  double min_existence = 0.2;     ///< share of the views due to show an object that must have
+  double correlation = 0.5;    ///< share of a sighting's, or a gravity's, error that others repeat
+  double image_margin = 20.0;  ///< px from the border within which nothing need show
+  double max_depth = 8.0;      ///< m beyond which nothing need show
+  double min_existence = 0.2;  ///< share of the views due to show an object that must have
 };
 
 /// Fuses the nodes of the last key frames into one flicker-proof graph in the newest key frame's
@@ -42,7 +44,8 @@ struct LocalGraphOptions {
 /// Detectors flicker: most consecutive frames differ in the classes found. Moved by the front end's
 /// own relative poses, sightings of one object fall together; each object carries its existence
 /// evidence, class votes, mean position with covariance, and size. An object seen in too few of
-/// the views that should have shown it is dropped.
+/// the views that should have shown it is dropped. Where key frames say which way is down, their
+/// directions are moved alike and fused.
 template <typename Scalar_ = double>
 class LocalGraph {
  public:
@@ -58,10 +61,12 @@ class LocalGraph {
   /// @param nodes               in the key frame's camera frame
   /// @param T_previous_current  from this key frame's camera to the last one's; the first has none
   /// @param view                the key frame's camera and occluders; `T_graph_camera` is ignored
+  /// @param gravity             which way is down in the key frame's camera frame, where it knows
   /// Throws InvalidValue for a stamp that goes back, for a pose or a camera that is not finite,
-  /// and, with its index, for a node that a graph would refuse. O(objects² + objects · nodes).
+  /// and, with its index, for a node that a graph would refuse, and a gravity alike.
+  /// O(objects² + objects · nodes).
   void add(double stamp, const std::vector<Node>& nodes, const Pose& T_previous_current,
-           View<Scalar> view = {}) {
+           View<Scalar> view = {}, std::optional<Gravity<Scalar>> gravity = std::nullopt) {
     if (!std::isfinite(stamp) || (!frames_.empty() && stamp < frames_.back().stamp)) {
       throw InvalidValue("a local graph's stamps must be finite and must not go back");
     }
@@ -69,11 +74,12 @@ class LocalGraph {
       throw InvalidValue("the relative pose is not finite");
     }
     if (view.camera.fx != Scalar(0)) view.camera.validate();
-    const std::vector<Node> sighted = placed(TopologyGraph<Scalar>(nodes));
+    const TopologyGraph<Scalar> shown(nodes, {}, {}, gravity);
+    const std::vector<Node> sighted = placed(shown);
     if (!frames_.empty()) move_to_frame(T_previous_current.inverse());
     forget_before(stamp - options_.window);
     view.T_graph_camera.setIdentity();
-    frames_.push_back({stamp, next_view_, std::move(view)});
+    frames_.push_back({stamp, next_view_, std::move(view), shown.gravity()});
     associate(sighted);
     merge_coincident();
     ++next_view_;
@@ -86,7 +92,7 @@ class LocalGraph {
     for (const auto& [id, node] : objects()) nodes.push_back(node);
     std::vector<View<Scalar>> views;
     for (const Frame& frame : frames_) views.push_back(frame.view);
-    return make_topology_graph(std::move(nodes), builder, std::move(views));
+    return make_topology_graph(std::move(nodes), builder, std::move(views), gravity());
   }
 
   /// The objects that `graph()` holds, in its order (ascending id).
@@ -105,6 +111,19 @@ class LocalGraph {
     return kept;
   }
 
+  /// Which way is down in the newest key frame's camera frame: what the key frames of the window
+  /// that know it say together (see `fused_gravity`); relative poses are taken to be exact. Nothing
+  /// where none knows. O(views).
+  std::optional<Gravity<Scalar>> gravity() const {
+    std::vector<Gravity<Scalar>> directions;
+    for (const Frame& frame : frames_) {
+      if (!frame.gravity) continue;
+      directions.push_back(*frame.gravity);
+      directions.back().down = frame.view.T_graph_camera.linear() * frame.gravity->down;
+    }
+    return fused_gravity(directions, static_cast<Scalar>(options_.correlation));
+  }
+
   /// Key frames in the window.
   std::size_t view_count() const noexcept { return frames_.size(); }
 
@@ -113,6 +132,7 @@ class LocalGraph {
     double stamp;
     std::size_t number;
     View<Scalar> view;
+    std::optional<Gravity<Scalar>> gravity;  ///< in its own camera frame
   };
 
   /// Carries everything into the newest camera's frame.

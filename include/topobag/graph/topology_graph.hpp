@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include <topobag/edges/edge_list.hpp>
 #include <topobag/error.hpp>
+#include <topobag/graph/gravity.hpp>
 #include <topobag/graph/view.hpp>
 #include <topobag/types/semantic_node.hpp>
 
@@ -29,16 +31,19 @@ class TopologyGraph {
 
   TopologyGraph() = default;
 
-  /// @param nodes  in the order in which they are to be kept (the paper: the detector's)
-  /// @param edges  made canonical here; an edge at a node without a position has no length and is
+  /// @param nodes    in the order in which they are to be kept (the paper: the detector's)
+  /// @param edges    made canonical here; an edge at a node without a position has no length and is
   /// left out
-  /// @param views  the cameras that looked for the nodes; may be empty (see `View`)
+  /// @param views    the cameras that looked for the nodes; may be empty (see `View`)
+  /// @param gravity  which way is down, in the graph's frame, where it is known
   /// Throws InvalidValue with the node's or edge's index for a number that is not finite, a
   /// covariance that is neither zero nor positive definite, an edge from a node to itself, or an
-  /// end beyond the nodes. O(n + m log m).
+  /// end beyond the nodes; and as `normalized` does of the gravity. O(n + m log m).
   explicit TopologyGraph(std::vector<Node> nodes, EdgeList edges = {},
-                         std::vector<View<Scalar>> views = {})
+                         std::vector<View<Scalar>> views = {},
+                         std::optional<Gravity<Scalar>> gravity = std::nullopt)
       : nodes_(std::move(nodes)), views_(std::move(views)) {
+    if (gravity) gravity_ = normalized(*gravity);
     for (std::size_t i = 0; i < nodes_.size(); ++i) require_valid(nodes_[i], i);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (edges[i].a == edges[i].b || value(edges[i].a) >= nodes_.size() ||
@@ -71,6 +76,9 @@ class TopologyGraph {
 
   /// The cameras that looked for the nodes, in the graph's frame.
   const std::vector<View<Scalar>>& views() const noexcept { return views_; }
+
+  /// Which way is down, in the graph's frame; nothing where it is not known.
+  const std::optional<Gravity<Scalar>>& gravity() const noexcept { return gravity_; }
 
   /// Whether there is enough to fit a pose: three nodes with a position.
   bool is_matchable() const noexcept {
@@ -107,6 +115,7 @@ class TopologyGraph {
   EdgeList edges_;
   std::vector<Scalar> lengths_;
   std::vector<View<Scalar>> views_;
+  std::optional<Gravity<Scalar>> gravity_;
 };
 
 /// Whether `Builder` is an edge builder over nodes of `Scalar` (C++20: `concept EdgeBuilder`).
@@ -114,17 +123,18 @@ template <typename Builder, typename Scalar>
 inline constexpr bool is_edge_builder_v =
     std::is_invocable_r_v<EdgeList, const Builder&, const std::vector<SemanticNode<Scalar>>&>;
 
-/// The graph of `nodes` with the edges that `builder` finds.
+/// The graph of `nodes` with the edges that `builder` finds. The gravity's scalar is the nodes'.
 template <typename Scalar, typename Builder>
-TopologyGraph<Scalar> make_topology_graph(std::vector<SemanticNode<Scalar>> nodes,
-                                          const Builder& builder,
-                                          std::vector<View<Scalar>> views = {}) {
+TopologyGraph<Scalar> make_topology_graph(
+    std::vector<SemanticNode<Scalar>> nodes, const Builder& builder,
+    std::vector<View<Scalar>> views = {},
+    std::optional<Gravity<std::common_type_t<Scalar>>> gravity = std::nullopt) {
   static_assert(
       is_edge_builder_v<Builder, Scalar>,
       "topobag: an edge builder is callable as builder(const std::vector<SemanticNode<Scalar>>&) "
       "-> EdgeList.");
   EdgeList edges = builder(nodes);
-  return TopologyGraph<Scalar>(std::move(nodes), std::move(edges), std::move(views));
+  return TopologyGraph<Scalar>(std::move(nodes), std::move(edges), std::move(views), gravity);
 }
 
 }  // namespace v0
