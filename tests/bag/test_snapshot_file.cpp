@@ -109,6 +109,17 @@ TEST_CASE("the file of format 1 loads for ever", "[bag][snapshot]") {
   CHECK(bag.contains(KeyframeId{~std::uint64_t{0}}));
 }
 
+TEST_CASE("a bag without gravity is written as format 1 was, byte for byte",
+          "[bag][snapshot][gravity]") {
+  const std::string path = TOPOBAG_SOURCES "/tests/bag/frozen/v1.bag";
+  SaveOptions options;
+  options.catalog_fingerprint = fingerprint(ClassCatalog::coco80());
+  const std::string written = saved(load(path), options), frozen = content_of(path);
+  CHECK(inspect(path).codec_version == 1);
+  CHECK(written.substr(16, 24) == frozen.substr(16, 24));  // beside the library's own version
+  CHECK(written.substr(44) == frozen.substr(44));
+}
+
 TEST_CASE("a link's file is replaced, not the link, and keeps its permissions", "[bag][snapshot]") {
   const ScratchFolder folder;
   std::mt19937 random(3);

@@ -95,8 +95,7 @@ TEST_CASE("numbers that no file can hold make no room", "[bag][snapshot]") {
 
 TEST_CASE("a small file of many nodes makes no room for their pairs", "[bag][snapshot]") {
   detail::BitWriter graph;  // 3.6 kB: without the limit n², for any n
-  graph.put(graph_codec_version, 4);
-  graph.put(0, 1);
+  detail::put_header(graph, {});
   const std::size_t nodes = 4097;
   graph.put_number(nodes);
   detail::put_column(graph, detail::Column(nodes, 127), detail::vouching_width);

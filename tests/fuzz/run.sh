@@ -22,6 +22,7 @@ mkdir -p "$out"
 for target in "${targets[@]}"; do mkdir -p "$out/$target"; done
 seed() { if [ -d "$out/$1" ]; then cat "${@:3}" >"$out/$1/$2"; fi; }
 seed saved_bag v1 tests/bag/frozen/v1.bag
+seed graph_codec gravity <(printf '\x22\xf0\xff\xf3\xff\x63')
 printf '1305031098.5 1 2 3 0 0 0 1\n1305031099.5 1 2 3 0.5 0.5 0.5 0.5\n' >"$out/tum"
 printf '1 0 0 1 0 1 0 2 0 0 1 3\n' >"$out/kitti"
 printf 'seq: 1\nscene: cafe\naligned: true\nfps: 10\n1 0 0 0 0 0 0 1\n' >"$out/openloris"

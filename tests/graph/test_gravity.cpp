@@ -26,7 +26,8 @@ Eigen::Vector3d random_direction(std::mt19937& random) {
 }
 
 /// The direction tilted by `deviation` rad, r.m.s., about each axis across it.
-Eigen::Vector3d tilted(std::mt19937& random, const Eigen::Vector3d& down, double deviation) {
+Eigen::Vector3d tilted_by_chance(std::mt19937& random, const Eigen::Vector3d& down,
+                                 double deviation) {
   std::normal_distribution<double> angle(0.0, deviation);
   const Eigen::Vector3d u = down.unitOrthogonal(), v = down.cross(u);
   return (down + angle(random) * u + angle(random) * v).normalized();
@@ -84,8 +85,8 @@ TEST_CASE("the surer directions weigh more", "[graph][gravity]") {
   std::mt19937 random(2);
   for (int trial = 0; trial < 50; ++trial) {
     const Eigen::Vector3d down = random_direction(random);
-    const Gravity<> sure{tilted(random, down, degree), degree};
-    const Gravity<> unsure{tilted(random, down, degree), 3.0 * degree};
+    const Gravity<> sure{tilted_by_chance(random, down, degree), degree};
+    const Gravity<> unsure{tilted_by_chance(random, down, degree), 3.0 * degree};
     const Gravity<> fused = *fused_gravity<double>({sure, unsure}, 0.5);
     const double apart = angle_between(sure.down, unsure.down);
     CHECK(fused.down.norm() == Approx(1.0));
@@ -172,7 +173,7 @@ TEST_CASE("a local graph's gravity is nearer the truth than a single one", "[gra
     for (int frame = 0; frame < 20; ++frame) {
       const Eigen::Isometry3d step = random_motion(random, 0.5);
       down = step.linear().transpose() * down;
-      const Gravity<> sensed{tilted(random, down, degree), degree};
+      const Gravity<> sensed{tilted_by_chance(random, down, degree), degree};
       local.add(0.1 * frame, {}, step, {}, sensed);
       if (frame < 19) continue;
       single += sensed.down.cross(down).squaredNorm();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -56,11 +57,12 @@ inline std::vector<std::uint8_t> read_record(std::istream& stream) {
 }  // namespace detail
 
 /// Writes a bag as it stands, in the order of ids: graphs through `encode`, the rest to the last
-/// bit. The same bag gives the same bytes on every machine. (The format:
+/// bit; the header says the latest version among the graphs, each of which is in the least one that
+/// holds it. The same bag gives the same bytes on every machine. (The format:
 /// `examples/docs/format.md`.)
 /// @param bag  anything with `size()` and `for_each(f)` that calls f(KeyframeId, const EntryInfo&,
 ///             const Graph&) by rising id
-/// Throws Error when the stream fails, InvalidValue as `encode` does. O(n).
+/// Throws Error when the stream fails, InvalidValue as `encode` does. O(n), in two rounds.
 template <typename Bag>
 void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {}) {
   static_assert(is_stored_bag_v<Bag>,
@@ -72,6 +74,9 @@ void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {})
   header.scalar_bytes = sizeof(Scalar);
   header.entries = bag.size();
   header.catalog_fingerprint = options.catalog_fingerprint;
+  bag.for_each([&](KeyframeId, const EntryInfo&, const typename Bag::Graph& graph) {
+    header.codec_version = std::max<std::uint32_t>(header.codec_version, codec_version_for(graph));
+  });
   detail::write_bytes(stream, to_bytes(header));
   std::uint64_t written = 0;
   bag.for_each([&](KeyframeId id, const EntryInfo& info, const typename Bag::Graph& graph) {

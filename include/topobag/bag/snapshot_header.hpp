@@ -30,9 +30,9 @@ struct SnapshotHeader {
   /// Of the topobag that wrote it: major · 65536 + minor · 256 + patch.
   std::uint32_t library_version =
       TOPOBAG_VERSION_MAJOR << 16 | TOPOBAG_VERSION_MINOR << 8 | TOPOBAG_VERSION_PATCH;
-  std::uint32_t codec_version = graph_codec_version;  ///< of its graphs
-  std::uint8_t id_bytes = sizeof(KeyframeId);         ///< size of a key frame id
-  std::uint8_t class_bytes = sizeof(ClassId);         ///< size of a class id
+  std::uint32_t codec_version = 1;             ///< the latest one among its graphs
+  std::uint8_t id_bytes = sizeof(KeyframeId);  ///< size of a key frame id
+  std::uint8_t class_bytes = sizeof(ClassId);  ///< size of a class id
   std::uint8_t scalar_bytes = sizeof(double);  ///< of the graphs that were saved; any can be loaded
   std::uint64_t entries = 0;                   ///< how many follow
   std::uint64_t catalog_fingerprint = 0;       ///< see `fingerprint`; 0 = not stated

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <topobag/bag/detail/graph_header.hpp>
 #include <topobag/bag/detail/node_columns.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -68,7 +69,7 @@ class NodeScan {
   /// Valid until the next call.
   const std::vector<ScannedNode>& operator()(const std::uint8_t* bytes) {
     TrustedBits bits(bytes);
-    bits.skip(5);  // the version, and whether there are views
+    get_header(bits);
     const auto n = static_cast<std::size_t>(bits.get_number());
     nodes_.resize(n);
     placed_.resize(n);
