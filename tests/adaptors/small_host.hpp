@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
 #include <set>
 
 #include <Eigen/Geometry>
@@ -68,6 +69,12 @@ struct Frame {
   double mTimeStamp = 0.0;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
 };
+
+/// Which way is down for a key frame of a world whose y axis points down.
+inline std::optional<topobag::Gravity<>> gravity_of(const KeyFrame& key_frame) {
+  const Eigen::Vector3d down = key_frame.GetPoseInverse().numbers.row(1).head<3>().cast<double>();
+  return topobag::Gravity<>{down, 0.02};
+}
 
 /// What the room shows from there.
 inline topobag::KeyframeSighting sighting(const SyntheticRoom& room, double stamp,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -222,4 +223,26 @@ TEST_CASE("what goes wrong is counted and not thrown at the host", "[adaptors]")
   CHECK(host.database.size() == 0);
   CHECK(host.observe(askew));
   CHECK(host.database.size() == 1);
+}
+
+TEST_CASE("a host's gravity that says nothing is counted, and a later one mends it",
+          "[adaptors][gravity]") {
+  Host host;
+  std::optional<Gravity<>> said = Gravity<>{Eigen::Vector3d::Zero()};
+  std::size_t asked = 0;
+  Database database(without_waiting(), {}, [&](KeyFrame&) {
+    ++asked;
+    return said;
+  });
+  KeyFrame& key_frame = host.make(1, 0.0);
+  database.observe(0, 1, host.seen_in(key_frame));
+  database.add(&key_frame);
+  CHECK(asked == 1);
+  CHECK(database.size() == 0);
+  CHECK(database.failures().first == 1);
+  said = gravity_of(key_frame);
+  database.refresh();
+  CHECK(asked == 2);
+  CHECK(database.size() == 1);
+  CHECK(database.failures().first == 1);
 }

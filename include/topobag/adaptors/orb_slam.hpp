@@ -64,11 +64,18 @@ class OrbSlamDatabase {
   /// lost tracker may afford the detector's time.
   using GraphOfFrame = std::function<std::optional<Graph>(const Frame&)>;
 
-  /// Without `graph_of_frame` lost frames find nothing.
-  explicit OrbSlamDatabase(const OrbSlamOptions& options = {}, GraphOfFrame graph_of_frame = {})
+  /// Which way is down in a key frame's camera frame, by what the host knows when the key frame's
+  /// graph is made; nothing where it does not know. Called on whichever thread makes the graph,
+  /// with no lock of ours held. (A lost frame's gravity is a part of its graph.)
+  using GravityOfKeyFrame = std::function<std::optional<Gravity<>>(KeyFrame&)>;
+
+  /// Without `graph_of_frame` lost frames find nothing. Without `gravity_of`, or where it says
+  /// nothing, a sighting's own gravity is taken.
+  explicit OrbSlamDatabase(const OrbSlamOptions& options = {}, GraphOfFrame graph_of_frame = {},
+                           GravityOfKeyFrame gravity_of = {})
       : options_(options),
         graph_of_frame_(std::move(graph_of_frame)),
-        bag_(options.fusing, options.recognition) {}
+        bag_(options.fusing, options.recognition, std::move(gravity_of)) {}
 
   /// To be read where a key frame is made, and given to `observe`.
   std::uint64_t epoch() const { return bag_.epoch(); }

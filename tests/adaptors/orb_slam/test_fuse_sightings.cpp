@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <memory>
 #include <random>
 #include <vector>
@@ -32,4 +33,31 @@ TEST_CASE("sightings fuse in the last one's frame, wherever the world is", "[ada
     CHECK((*elsewhere.nodes()[i].position - *last[i].position).norm() < 1e-9);
   }
   CHECK(fuse_sightings({}, {}).empty());
+}
+
+TEST_CASE("the host's word on gravity goes before the sighting's", "[adaptors][gravity]") {
+  auto seen = std::make_shared<KeyframeSighting>();
+  PosedSighting alone{seen};
+  CHECK_FALSE(fuse_sightings({alone}, {}).gravity());
+  seen->gravity = Gravity<>{{0, 0, 1}, 0.03};
+  CHECK(fuse_sightings({alone}, {}).gravity()->down == Eigen::Vector3d::UnitZ());
+  alone.gravity = Gravity<>{{0, 1, 0}, 0.02};
+  CHECK(fuse_sightings({alone}, {}).gravity()->down == Eigen::Vector3d::UnitY());
+  CHECK(fuse_sightings({alone}, {}).gravity()->deviation == Approx(0.02));
+}
+
+TEST_CASE("gravity of several key frames falls together", "[adaptors][gravity]") {
+  std::mt19937 random(5);
+  std::vector<PosedSighting> sightings;
+  for (int i = 0; i < 4; ++i) {
+    auto seen = std::make_shared<KeyframeSighting>();
+    seen->stamp = 0.5 * i;
+    const Eigen::Isometry3d T_world_camera = random_camera(random);
+    const Eigen::Vector3d down = T_world_camera.linear().row(1);
+    sightings.push_back({std::move(seen), T_world_camera, Gravity<>{down, 0.02}});
+  }
+  const TopologyGraph<> graph = fuse_sightings(sightings, {});
+  REQUIRE(graph.gravity());
+  CHECK(graph.gravity()->down.isApprox(sightings.back().gravity->down, 1e-9));
+  CHECK(graph.gravity()->deviation == Approx(0.02 * std::sqrt(0.625)));
 }

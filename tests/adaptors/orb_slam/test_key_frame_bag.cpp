@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -209,4 +210,39 @@ TEST_CASE("a reset ends the waiting for a sighting", "[adaptors]") {
   }
   query.join();
   CHECK(std::chrono::steady_clock::now() - begin < patience);
+}
+
+TEST_CASE("the host says which way is down whenever a graph is made", "[adaptors][gravity]") {
+  const SyntheticRoom room(7, 9, 4);
+  std::mt19937 random(8);
+  small_host::KeyFrame key_frame(1, 0.0, random_camera(random));
+  std::size_t asked = 0;
+  bool known = false;
+  KeyFrameBag<small_host::KeyFrame> bag({}, {}, [&](small_host::KeyFrame& of) {
+    ++asked;
+    return known ? small_host::gravity_of(of) : std::nullopt;
+  });
+  bag.add(key_frame);
+  CHECK(asked == 0);
+  bag.observe(0, 1, small_host::sighting(room, 0.0, host_pose(key_frame.GetPoseInverse())));
+  CHECK(asked == 1);
+  const auto gravity = [&] { return bag.graph_of(key_frame, std::chrono::seconds(0))->gravity(); };
+  CHECK_FALSE(gravity());
+  known = true;
+  for (int i = 0; i < 3; ++i) {
+    key_frame.SetPoseInverse(random_camera(random));
+    REQUIRE(gravity());
+    const Eigen::Isometry3d T_world_camera = host_pose(key_frame.GetPoseInverse());
+    CHECK((T_world_camera.linear() * gravity()->down).isApprox(Eigen::Vector3d::UnitY(), 1e-5));
+    CHECK(gravity()->deviation == Approx(0.02));
+  }
+}
+
+TEST_CASE("a sighting whose gravity says nothing is refused", "[adaptors][gravity]") {
+  KeyFrameBag<small_host::KeyFrame> bag({}, {});
+  KeyframeSighting seen;
+  seen.gravity = Gravity<>{Eigen::Vector3d::Zero()};
+  CHECK_THROWS_AS(bag.observe(0, 1, seen), InvalidValue);
+  seen.gravity.reset();
+  CHECK(bag.observe(0, 1, seen));
 }

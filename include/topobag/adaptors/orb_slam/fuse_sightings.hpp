@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include <topobag/graph/gravity.hpp>
 #include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph.hpp>
 
@@ -17,6 +19,7 @@ struct PosedSighting {
   std::shared_ptr<const KeyframeSighting> sighting;  ///< what its key frame shows
   Eigen::Isometry3d T_world_camera =
       Eigen::Isometry3d::Identity();  ///< the host's pose of its key frame
+  std::optional<Gravity<>> gravity;   ///< as the host says now; nothing: as the sighting says
 };
 
 /// The graph of the last sighting's key frame, fused from all of them in the order of time. The
@@ -28,7 +31,8 @@ inline TopologyGraph<> fuse_sightings(const std::vector<PosedSighting>& sighting
   const PosedSighting* previous = &sightings.front();
   for (const PosedSighting& current : sightings) {
     local.add(current.sighting->stamp, current.sighting->nodes,
-              previous->T_world_camera.inverse() * current.T_world_camera, current.sighting->view);
+              previous->T_world_camera.inverse() * current.T_world_camera, current.sighting->view,
+              current.gravity ? current.gravity : current.sighting->gravity);
     previous = &current;
   }
   return local.graph();

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -30,16 +31,21 @@ inline namespace v0 {
 /// Any function may be called from any thread. The one lock is a leaf: nothing of the host is
 /// called with it held. `erase` and `clear` wait for whoever reads a key frame at that time, so
 /// that the host may delete it afterwards; they must not be called with a lock of the host held
-/// that `isBad`, `GetPoseInverse` or `GetMap` take.
+/// that `isBad`, `GetPoseInverse`, `GetMap` or the host's word on gravity take.
 template <typename KeyFrame>
 class KeyFrameBag {
  public:
   using Graph = TopologyGraph<>;
   using Places = std::vector<OrbSlamPlace<KeyFrame>>;
 
-  /// Empty, in the first epoch.
-  KeyFrameBag(const LocalGraphOptions& fusing, const RecognitionOptions& recognition)
-      : fusing_(fusing), relocalizer_(recognition) {}
+  /// Which way is down in a key frame's camera frame, by what the host knows now; nothing where it
+  /// does not know.
+  using GravityOf = std::function<std::optional<Gravity<>>(KeyFrame&)>;
+
+  /// Empty, in the first epoch. Without `gravity_of` a sighting's own gravity is all that is known.
+  KeyFrameBag(const LocalGraphOptions& fusing, const RecognitionOptions& recognition,
+              GravityOf gravity_of = {})
+      : fusing_(fusing), gravity_of_(std::move(gravity_of)), relocalizer_(recognition) {}
 
   /// Goes up with every `clear`.
   std::uint64_t epoch() const {
@@ -54,12 +60,12 @@ class KeyFrameBag {
   }
 
   /// What was seen in a key frame of an epoch; false when it was culled or the map reset meanwhile.
-  /// Throws InvalidValue, with the node's index, for a stamp or a node that is not finite; then the
-  /// sighting is not kept.
+  /// Throws InvalidValue, with the node's index, for a stamp, a node or a gravity that a
+  /// graph would refuse; then the sighting is not kept.
   bool observe(std::uint64_t epoch, std::uint64_t id, KeyframeSighting sighting) {
     // Here: later it would come up in every graph of its neighbours.
     if (!std::isfinite(sighting.stamp)) throw InvalidValue("the sighting's stamp is not finite");
-    static_cast<void>(Graph(sighting.nodes));
+    static_cast<void>(Graph(sighting.nodes, {}, {}, sighting.gravity));
     {
       const Lock lock(mutex_);
       if (!known_.observe(epoch, id, std::move(sighting))) return false;
@@ -186,7 +192,8 @@ class KeyFrameBag {
     relocalizer_.map().erase(KeyframeId{id});
   }
 
-  /// Reads the poses of now and fuses those of the last one's map. Needs the lock and releases it.
+  /// Reads the poses and the gravity of now and fuses those of the last one's map. Needs the lock
+  /// and releases it.
   Graph fuse(const Members& members, Lock& lock) {
     std::vector<PosedSighting> posed;
     {
@@ -195,7 +202,8 @@ class KeyFrameBag {
       const void* const map = map_of(*own);
       for (const auto& [sighting, key_frame] : members) {
         if (key_frame != own && (is_bad(*key_frame) || map_of(*key_frame) != map)) continue;
-        posed.push_back({sighting, host_pose(key_frame->GetPoseInverse())});
+        posed.push_back({sighting, host_pose(key_frame->GetPoseInverse()),
+                         gravity_of_ ? gravity_of_(*key_frame) : std::nullopt});
       }
     }
     return fuse_sightings(posed, fusing_);
@@ -222,6 +230,7 @@ class KeyFrameBag {
   }
 
   const LocalGraphOptions fusing_;
+  const GravityOf gravity_of_;
   mutable std::mutex mutex_;
   std::condition_variable sighted_;
   KeyFramePins pins_;
