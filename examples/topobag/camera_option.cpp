@@ -1,57 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "camera_option.hpp"
 
-#include <optional>
-#include <sstream>
-#include <vector>
+#include <cstddef>
 
-#include "csv_reader.hpp"
-#include "input_error.hpp"
+#include "number_list.hpp"
 
 namespace program {
 namespace {
 
-/// An option's text, read as numbers between commas.
-class NumberList {
- public:
-  /// @param form  what is asked for, to be said when it is not there
-  NumberList(const std::string& option, const std::string& text, const char* form)
-      : place_(option + ' ' + text), form_(form) {
-    std::istringstream fields(text);
-    for (std::string field; std::getline(fields, field, ',');) {
-      const std::optional<double> number = parse_number(field);
-      if (!number) throw error("'" + field + "' is not a number");
-      numbers_.push_back(*number);
-    }
+/// A list's number that is an image's width or height, px.
+int pixels(const NumberList& v, std::size_t i) {
+  const double largest = 1e6;
+  if (!(v[i] >= 1.0 && v[i] <= largest)) {
+    throw v.error("the image size is not in [1, 1e6] px");
   }
-
-  std::size_t size() const { return numbers_.size(); }
-  double operator[](std::size_t i) const { return numbers_[i]; }
-
-  /// An image's width or height, px.
-  int pixels(std::size_t i) const {
-    const double largest = 1e6;
-    if (!(numbers_[i] >= 1.0 && numbers_[i] <= largest)) {
-      throw error("the image size is not in [1, 1e6] px");
-    }
-    return static_cast<int>(numbers_[i]);
-  }
-
-  InputError error(const std::string& why) const { return {place_, why + "; give " + form_}; }
-
- private:
-  std::string place_;
-  const char* form_;
-  std::vector<double> numbers_;
-};
+  return static_cast<int>(v[i]);
+}
 
 topobag::PinholeCamera<> parse_camera(const std::string& option, const std::string& text) {
   const NumberList v(option, text, "fx,fy,cx,cy or fx,fy,cx,cy,width,height");
   if (v.size() != 4 && v.size() != 6) throw v.error("there are not 4 or 6 numbers");
   topobag::PinholeCamera<> camera{v[0], v[1], v[2], v[3]};
   if (v.size() == 6) {
-    camera.width = v.pixels(4);
-    camera.height = v.pixels(5);
+    camera.width = pixels(v, 4);
+    camera.height = pixels(v, 5);
   }
   try {
     camera.validate();
@@ -64,7 +36,7 @@ topobag::PinholeCamera<> parse_camera(const std::string& option, const std::stri
 ImageSize parse_image_size(const std::string& text) {
   const NumberList v("--image-size", text, "width,height");
   if (v.size() != 2) throw v.error("there are not 2 numbers");
-  return {v.pixels(0), v.pixels(1)};
+  return {pixels(v, 0), pixels(v, 1)};
 }
 
 }  // namespace

@@ -192,8 +192,7 @@ void add_compare_command(CLI::App& app) {
       ->check(number_within(0.0))
       ->capture_default_str();
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
-  add_camera_option(command, "--map-camera", arguments->tables.map_camera,
-                    "The map's camera, where it is another one");
+  add_map_options(command, arguments->tables);
   command.add_option("--protocol", arguments->protocol, "What a true place is, as in evaluate")
       ->capture_default_str();
   command

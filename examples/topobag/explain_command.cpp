@@ -85,8 +85,7 @@ void add_explain_command(CLI::App& app) {
   command.add_option("--frame", arguments->frame, "Its idx in the table")->required();
   add_keyframe_options(command, arguments->recognition.keyframes,
                        arguments->recognition.image_size);
-  add_camera_option(command, "--map-camera", arguments->tables.map_camera,
-                    "The map's camera, where it is another one");
+  add_map_options(command, arguments->tables);
   add_calibration_options(command, arguments->calibration);
   command.add_option("--candidates", arguments->candidates, "Candidates to print, best first")
       ->capture_default_str();

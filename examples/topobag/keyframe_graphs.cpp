@@ -52,16 +52,17 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
   std::vector<Keyframe> keyframes;
   const FrameRow* previous = nullptr;
   for (const FrameRow* frame : select_keyframes(table, options.interval)) {
-    auto [stamp, nodes, view] = topobag::sight_keyframe(frame->timestamp, frame->detections,
-                                                        options.camera, catalog, sighting);
+    topobag::KeyframeSighting seen = topobag::sight_keyframe(frame->timestamp, frame->detections,
+                                                             options.camera, catalog, sighting);
     Keyframe keyframe{frame->idx, frame->timestamp, frame->T_world_camera, {}};
     if (options.window > 0.0) {
-      local.add(stamp, nodes, relative_pose(previous ? *previous : *frame, *frame),
-                std::move(view));
+      local.add(seen.stamp, seen.nodes, relative_pose(previous ? *previous : *frame, *frame),
+                std::move(seen.view), frame->gravity);
       keyframe.graph = local.graph();
     } else {
-      keyframe.graph = topobag::make_topology_graph(std::move(nodes), topobag::DelaunayEdges2<>{},
-                                                    {std::move(view)});
+      keyframe.graph =
+          topobag::make_topology_graph(std::move(seen.nodes), topobag::DelaunayEdges2<>{},
+                                       {std::move(seen.view)}, frame->gravity);
     }
     keyframes.push_back(std::move(keyframe));
     previous = frame;
@@ -72,6 +73,7 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options) {
   NodeTable table = read_node_table(set);
   apply(options.stress, table);
+  apply(options.gravity, Draws{options.stress.seed, options.stress.stream, 1}, table);
   try {
     return keyframe_graphs(table, options);
   } catch (const topobag::InvalidValue& invalid) {

@@ -14,6 +14,7 @@
 #include <topobag/types/dynamics.hpp>
 
 #include "node_table.hpp"
+#include "table_gravity.hpp"
 #include "table_stress.hpp"
 
 namespace program {
@@ -27,9 +28,11 @@ struct KeyframeOptions {
   topobag::DynamicsSet keep{topobag::Dynamics::low,
                             topobag::Dynamics::medium};  ///< dynamic filter: levels that are kept
   TableStress stress{};                                  ///< done to the table by `read_keyframes`
+  TableGravity gravity{};  ///< which way is down, told to the table by `read_keyframes`
 };
 
-/// A key frame and its graph, which knows nothing of where in the world it is.
+/// A key frame and its graph, which knows nothing of where in the world it is, but for which way is
+/// down where the frame knows.
 struct Keyframe {
   std::int64_t idx = 0;                             ///< number of the frame in its table
   double timestamp = 0.0;                           ///< s
@@ -39,11 +42,12 @@ struct Keyframe {
 
 /// The key frames of a table: for k = 0, 1, … the first frame at or after t0 + k · interval, each
 /// at most once. A window fuses the key frames in [t − window, t] by their relative poses; without
-/// one, a graph has the paper's edges, Delaunay in the image plane.
-/// Throws topobag::InvalidValue when a window lacks a pose.
+/// one, a graph has the paper's edges, Delaunay in the image plane. What frames say of gravity
+/// comes along. Throws topobag::InvalidValue when a window lacks a pose.
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options);
 
-/// Reads the table, puts it under stress and makes the graphs of its key frames. Throws InputError.
+/// Reads the table, puts it under stress, tells it which way is down, and makes the graphs of its
+/// key frames. Throws InputError.
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options);
 
 /// The true poses of all key frames; nothing when one is not known.

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "gravity_options.hpp"
 #include "number_check.hpp"
 #include "saved_map.hpp"
 
@@ -27,7 +28,16 @@ void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize
   number("--drop", stress.drop, "Stress: probability that a detection is dropped", 1.0);
   number("--flip", stress.flip, "Stress: probability that its class is another of the table's",
          1.0);
-  command.add_option("--seed", stress.seed, "Of the stress")->capture_default_str();
+  command.add_option("--seed", stress.seed, "Of the stress and of the gravity's noise")
+      ->capture_default_str();
+  add_gravity_options(command, options.gravity);
+}
+
+void add_map_options(CLI::App& command, MapAndQuery& tables) {
+  add_camera_option(command, "--map-camera", tables.map_camera,
+                    "The map's camera, where it is another one");
+  add_world_up_option(command, "--map-world-up", tables.map_world_up,
+                      "Which way is up in the map's world, where it is another one");
 }
 
 RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions options,
@@ -35,6 +45,7 @@ RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions opt
   options.camera = with_size(options.camera, image_size);
   KeyframeOptions map_options = options;
   if (tables.map_camera.fx > 0.0) map_options.camera = with_size(tables.map_camera, image_size);
+  if (tables.map_world_up) map_options.gravity.world_up = tables.map_world_up;
   options.stress.stream = map_options.stress.stream + 1;
   RecognitionRun run;
   run.map_set = tables.map;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
+
+#include <Eigen/Core>
 
 #include "camera_option.hpp"
 #include "keyframe_graphs.hpp"
@@ -11,16 +14,20 @@
 
 namespace program {
 
-/// Adds `--camera`, `--image-size`, how key frames are made, and what stress the table is put
-/// under.
+/// Adds `--camera`, `--image-size`, how key frames are made, which way is up, and what stress the
+/// table is put under.
 void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize& image_size);
 
 /// A map and the key frames to look up in it.
 struct MapAndQuery {
   std::string map;  ///< a table, or a saved map
   std::string query;
-  topobag::PinholeCamera<> map_camera;  ///< no focal length: that of the query
+  topobag::PinholeCamera<> map_camera;          ///< no focal length: that of the query
+  std::optional<Eigen::Vector3d> map_world_up;  ///< nothing: that of the query
 };
+
+/// Adds `--map-camera` and `--map-world-up`.
+void add_map_options(CLI::App& command, MapAndQuery& tables);
 
 /// Reads both tables. Throws InputError.
 RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions options,

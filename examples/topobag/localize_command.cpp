@@ -45,8 +45,7 @@ void add_localize_command(CLI::App& app) {
   command.add_option("--query", arguments->tables.query, "Table of the key frames to look up")
       ->required();
   add_recognition_options(command, arguments->recognition);
-  add_camera_option(command, "--map-camera", arguments->tables.map_camera,
-                    "The map's camera, where it is another one");
+  add_map_options(command, arguments->tables);
   command.add_option("--svg", arguments->svg, "File to draw the best accepted match in");
   add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/graph/gravity.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ranged_detection.hpp>
 
@@ -20,6 +21,7 @@ struct FrameRow {
   double timestamp = 0.0;                           ///< s
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< true pose, m; absent when not known
   std::vector<topobag::RangedDetection> detections;
+  std::optional<topobag::Gravity<>> gravity;  ///< in its camera's frame; the files do not hold it
 };
 
 /// The frames of one sequence, in the order of time.

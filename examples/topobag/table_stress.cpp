@@ -2,40 +2,19 @@
 #include "table_stress.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <random>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "draws.hpp"
+
 namespace program {
 namespace {
-
-/// Numbers that the standard library's distributions would draw differently on each platform.
-class Draws {
- public:
-  explicit Draws(const TableStress& stress) {
-    std::seed_seq seeds{stress.seed, stress.stream};
-    engine_.seed(seeds);
-  }
-
-  /// In [0, 1), of 53 bits.
-  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
-  /// Standard normal (Box and Muller 1958).
-  double normal() {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    return radius * std::cos(6.283185307179586 * uniform());
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 std::vector<topobag::ClassId> classes_of(const NodeTable& table) {
   std::set<topobag::ClassId> classes;
   for (const FrameRow& frame : table.frames) {
-    for (const topobag::RangedDetection& detection : frame.detections) classes.insert(detection.label);
+    for (const auto& detection : frame.detections) classes.insert(detection.label);
   }
   return {classes.begin(), classes.end()};
 }
@@ -53,7 +32,7 @@ topobag::ClassId other_class(const std::vector<topobag::ClassId>& classes, topob
 
 void apply(const TableStress& stress, NodeTable& table) {
   if (!stress.any()) return;
-  Draws draws(stress);
+  Draws draws{stress.seed, stress.stream};
   const std::vector<topobag::ClassId> classes = classes_of(table);
   for (FrameRow& frame : table.frames) {
     std::vector<topobag::RangedDetection> kept;

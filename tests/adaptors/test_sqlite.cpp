@@ -197,3 +197,22 @@ TEST_CASE("the sqlite3 shell can read a map", "[sqlite]") {
   CHECK(ask(path, "SELECT name FROM class WHERE id = 62") == "tv");
   CHECK(ask(path, "PRAGMA user_version") == "1");
 }
+
+TEST_CASE("a map holds graphs with gravity and without", "[sqlite][gravity]") {
+  const ScratchFolder folder;
+  std::mt19937 random(9);
+  const std::string path = folder.path("map.db");
+  const TopologyGraph<> plain = random_graph(random, 5);
+  const TopologyGraph<> graph(plain.nodes(), plain.edges(), {}, Gravity<>{{0, 0, 1}, 0.02});
+  {
+    SqliteBag<> map(path);
+    map.add(KeyframeId{1}, plain);
+    map.add(KeyframeId{2}, graph);
+    map.add(KeyframeId{3}, graph);
+    map.update(KeyframeId{3}, plain);
+  }
+  const SqliteBag<> map(path, read_only());
+  CHECK_FALSE(map.bag().find(KeyframeId{1})->gravity());
+  CHECK(map.bag().find(KeyframeId{2})->gravity()->down == Eigen::Vector3d::UnitZ());
+  CHECK_FALSE(map.bag().find(KeyframeId{3})->gravity());
+}

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -131,4 +132,21 @@ TEST_CASE("a map in a folder that cannot be written to is read, not written", "[
   CHECK(read == "1 read");
   CHECK(written == path + ": attempt to write a readonly database");
   CHECK(SqliteBag<>(path).bag().size() == 1);
+}
+
+TEST_CASE("a graph of a later version within the file is named", "[sqlite][gravity]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db");
+  {
+    SqliteBag<> map(path);
+    map.add(KeyframeId{3}, TopologyGraph<>{});
+  }
+  const std::uint8_t later[] = {0x03, 0x04};
+  detail::SqliteConnection(path, false)
+      .run(("UPDATE keyframe SET graph = x'0304', checksum = " +
+            std::to_string(detail::crc32(later, 2)))
+               .c_str());
+  CHECK(error_text([&] {
+          SqliteBag<> map(path);
+        }).find(path + ": key frame 3 cannot be read: a graph of format 3; this version") == 0);
 }

@@ -29,6 +29,7 @@ TEST_CASE("people make no nodes but hide what is behind them", "[graph]") {
   REQUIRE(sighting.nodes.size() == 1);
   CHECK(sighting.nodes[0].label == catalog.at("cup"));
   CHECK(sighting.view.occluders.size() == 3);
+  CHECK_FALSE(sighting.gravity);
   CHECK_FALSE(sighting.view.should_show(camera.back_project({300.0, 240.0}, 3.0), 0.0, 8.0));
   CHECK(sighting.view.should_show(camera.back_project({400.0, 240.0}, 3.0), 0.0, 8.0));
 }
