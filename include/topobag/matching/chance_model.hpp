@@ -18,7 +18,9 @@
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
+#include <topobag/matching/detail/slab.hpp>
 #include <topobag/matching/refine_pose.hpp>
+#include <topobag/matching/shared_vertical.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -29,15 +31,24 @@ inline namespace v0 {
 /// A-contrario (Desolneux, Moisan, Morel 2000): the number of false matches to expect is the number
 /// of ways to choose the pairs times the probability that one choice fits so well. That probability
 /// is at most the inverse Bayes factor (Markov's inequality: under chance its mean is 1) of two
-/// models: each query object lies where the pose puts it, within the pair's covariance; or anywhere
-/// in the volume that the matched objects span. The pose is integrated out (Laplace), so a compact
-/// cluster, whose pose is loose and whose places are hardly a surprise, counts little. The widths
-/// and the heights of the paired objects speak in the same way: of one object seen twice they are
-/// nearly equal, of two objects of a class they are not; on real detections the two sides err apart
-/// (their errors correlate by 0.1 to 0.2).
+/// models: each query object lies where the pose puts it, within the pair's covariance; or chance
+/// put it there. The pose is integrated out (Laplace), so a compact cluster, whose pose is loose
+/// and whose places are hardly a surprise, counts little.
+///
+/// Chance strews objects over a slab, not through space: in every room things stand on floors and
+/// tables, and those of a class at about the same height. So the places along the slab are
+/// surprising, over a rectangle of the matched objects' extent, but heights above it only by what
+/// they differ within a class. Where no gravity is known the slab is the thinnest direction of the
+/// matched objects, and chance, too, may tilt it as it likes: three objects then earn nothing by
+/// their heights. (Strewn through space, rooms with nothing in common reached odds of 10⁶ to one.)
+///
+/// The widths and the heights of the paired objects speak in the same way: of one object seen twice
+/// they are nearly equal, of two objects of a class they are not; on real detections the two sides
+/// err apart (their errors correlate by 0.1 to 0.2).
 struct ChanceModel {
-  double fill = 1.5;  ///< share of the cube of the matched objects' extent that is the volume
-  double min_extent = 0.10;      ///< m
+  double fill = 1.5;  ///< area that chance fills, in rectangles of the matched objects' scatter
+  double min_extent = 0.10;      ///< m, of each of its sides
+  double height_spread = 0.15;   ///< m; σ of the heights at which objects of one class stand
   double size_deviation = 0.15;  ///< of the logarithm of one object's width or height, seen twice
   double size_spread = 0.45;     ///< of the same between two objects of one class
   double size_outliers = 0.10;   ///< share of the sides that tell nothing: cut or misread boxes
@@ -45,18 +56,21 @@ struct ChanceModel {
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's
 
-  /// −log10 of the expected number of false matches. 0 for fewer than three pairs. O(n + k).
+  /// −log10 of the expected number of false matches. 0 for fewer than three pairs, or two where the
+  /// vertical is known. O(n + k).
   /// @param pairs   of nodes with positions, one-to-one
   /// @param points  their positions and covariances, parallel to `pairs`
   /// @param pose    fitted to `points`, with its covariance
+  /// @param vertical  where both frames know it
   template <typename Scalar>
   double significance(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
                       const std::vector<Correspondence>& pairs,
                       const std::vector<PointPair>& points, const RefinedPose& pose,
-                      const ClassGroups& groups = {}) const {
-    if (pairs.size() < 3) return 0.0;
+                      const ClassGroups& groups = {},
+                      const std::optional<SharedVertical>& vertical = std::nullopt) const {
+    if (pairs.size() < (vertical ? 2U : 3U)) return 0.0;
     double significance =
-        log10_bayes_factor(points, pose) - log10_ways(candidate, query, pairs, groups);
+        log10_bayes_factor(points, pose, vertical) - log10_ways(candidate, query, pairs, groups);
     for (const Correspondence& pair : pairs) {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
@@ -85,20 +99,41 @@ struct ChanceModel {
   }
 
   /// log10 P(places of the query objects | pose unknown, same place) / P(places | chance).
-  /// @param points  a range of `PointPair`
+  /// @param points    a range of `PointPair`
+  /// @param vertical  where both frames know it
   template <typename Points = std::vector<PointPair>>
-  double log10_bayes_factor(const Points& points, const RefinedPose& pose) const {
+  double log10_bayes_factor(const Points& points, const RefinedPose& pose,
+                            const std::optional<SharedVertical>& vertical = std::nullopt) const {
     const double log_two_pi = 1.8378770664093453;
-    const double log_volume = std::log(fill) + 3.0 * std::log(std::max(min_extent, extent(points)));
+    const auto n = static_cast<double>(points.size());
+    const detail::Slab slab(points, vertical ? &*vertical : nullptr);
+    const double log_area = std::log(fill) + std::log(std::max(min_extent, slab.length)) +
+                            std::log(std::max(min_extent, slab.width));
     double log_factor = 0.0;
+    double height_variance = 0.0;  // under chance, the mean
     for (const auto& pair : points) {
       const Eigen::Matrix3d covariance = pair.covariance(pose.T_target_source);
       const double deviation2 = pair.squared_deviation(pose.T_target_source);
-      log_factor +=
-          log_volume - 0.5 * (deviation2 + 3.0 * log_two_pi + std::log(covariance.determinant()));
+      log_factor -= 0.5 * (deviation2 + 3.0 * log_two_pi + std::log(covariance.determinant()));
+      const double height = slab.normal.dot(pair.residual(pose.T_target_source));
+      const double variance =
+          slab.normal.dot(covariance * slab.normal) + height_spread * height_spread;
+      log_factor += log_area + 0.5 * (height * height / variance + log_two_pi + std::log(variance));
+      height_variance += variance / n;
     }
-    // The prior of the pose: anywhere in the volume, turned any way (8π²).
-    const double log_prior = -log_volume - std::log(78.95683520871486);
+    // The pose's prior: anywhere on the area, turned any way about the normal. How high it is, and
+    // how tilted where nothing tells, chance is as free to choose.
+    double log_prior = -log_area - log_two_pi;
+    log_factor -= 0.5 * (log_two_pi + std::log(height_variance / n));
+    if (vertical) {
+      const Eigen::Vector3d tilt = vertical->tilt(pose.T_target_source.linear());
+      log_prior -=
+          log_two_pi + std::log(vertical->variance) + 0.5 * tilt.squaredNorm() / vertical->variance;
+    } else {
+      const double least = 1e-3;  // m²; of objects in a row, which leave the pose open anyway
+      log_factor -= log_two_pi + std::log(height_variance / n) -
+                    std::log(std::max(least, slab.tilt_information));
+    }
     const Eigen::LLT<Eigen::Matrix<double, 6, 6>> root(pose.covariance);
     const double log_posterior_volume =
         3.0 * log_two_pi + root.matrixLLT().diagonal().array().log().sum();
@@ -146,17 +181,6 @@ struct ChanceModel {
   }
   static double log_choose(std::size_t n, std::size_t k) {
     return log_factorial(n) - log_factorial(k) - log_factorial(n - k);
-  }
-
-  /// Twice the root mean square distance of the targets from their centroid, m.
-  template <typename Points>
-  static double extent(const Points& points) {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const auto& pair : points) mean += pair.target;
-    mean /= static_cast<double>(points.size());
-    double squares = 0.0;
-    for (const auto& pair : points) squares += (pair.target - mean).squaredNorm();
-    return 2.0 * std::sqrt(squares / static_cast<double>(points.size()));
   }
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,7 +13,9 @@
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/detail/bit_matrix.hpp>
 #include <topobag/matching/detail/distance_table.hpp>
+#include <topobag/matching/detail/offered_pairs.hpp>
 #include <topobag/matching/point_pair.hpp>
+#include <topobag/matching/shared_vertical.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -26,7 +28,7 @@ struct ConsistencyOptions {
   double deviations = 2.5;      ///< standard deviations that two distances may differ by
   double min_tolerance = 0.05;  ///< m, whatever the covariances say
   double max_tolerance = 0.40;  ///< m
-  std::size_t max_pairs = 512;  ///< beyond it the classes with the most pairs are left out
+  std::size_t max_pairs = 512;  ///< beyond it the pairs whose sizes differ most are left out
 };
 
 /// The same-class node pairs of two graphs, and which of them agree: pairs (p, q), (p', q') of
@@ -37,10 +39,12 @@ class ConsistencyGraph {
   template <typename Scalar>
   ConsistencyGraph(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
                    const ConsistencyOptions& options)
-      : pairs_(offered_pairs(candidate, query, options, complete_)),
+      : complete_(true),
+        pairs_(best_pairs(candidate, query, options, complete_)),
         agreement_(pairs_.size(), pairs_.size()),
-        candidate_distances_(candidate),
-        query_distances_(query) {
+        vertical_(shared_vertical(candidate, query)),
+        candidate_distances_(candidate, vertical_ ? &*candidate.gravity() : nullptr),
+        query_distances_(query, vertical_ ? &*query.gravity() : nullptr) {
     points_.reserve(pairs_.size());
     query_of_.reserve(pairs_.size());
     for (const Correspondence& pair : pairs_) {
@@ -79,79 +83,41 @@ class ConsistencyGraph {
            length(query_distances_, pairs_[i].query, pairs_[j].query);
   }
 
+  /// The vertical, where both graphs know it.
+  const std::optional<SharedVertical>& vertical() const noexcept { return vertical_; }
+
   /// False when `max_pairs` left pairs out.
   bool complete() const noexcept { return complete_; }
 
  private:
   template <typename Scalar>
-  static std::vector<Correspondence> offered_pairs(const TopologyGraph<Scalar>& candidate,
-                                                   const TopologyGraph<Scalar>& query,
-                                                   const ConsistencyOptions& options,
-                                                   bool& complete) {
-    std::vector<Correspondence> pairs;
-    pairs.reserve(candidate.size() + query.size());
-    std::vector<ClassId> candidate_groups;
-    candidate_groups.reserve(candidate.size());
-    for (const auto& node : candidate.nodes()) {
-      candidate_groups.push_back(options.classes.group(node.label));
-    }
-    for (std::size_t q = 0; q < query.size(); ++q) {
-      if (!query.nodes()[q].position) continue;
-      const ClassId group = options.classes.group(query.nodes()[q].label);
-      for (std::size_t p = 0; p < candidate.size(); ++p) {
-        if (!candidate.nodes()[p].position) continue;
-        if (candidate_groups[p] != group) continue;
-        if (!sizes_fit(candidate.nodes()[p], query.nodes()[q], options.max_size_ratio)) continue;
-        pairs.push_back({node_index(p), node_index(q)});
-      }
-    }
+  static std::vector<Correspondence> best_pairs(const TopologyGraph<Scalar>& candidate,
+                                                const TopologyGraph<Scalar>& query,
+                                                const ConsistencyOptions& options, bool& complete) {
+    auto pairs = detail::offered_pairs(candidate, query, options.classes, options.max_size_ratio);
     complete = pairs.size() <= options.max_pairs;
-    if (!complete) leave_common_classes_out(pairs, query, options.max_pairs);
+    if (!complete) detail::keep_most_alike(pairs, candidate, query, options.max_pairs);
     return pairs;
-  }
-
-  template <typename Scalar>
-  static void leave_common_classes_out(std::vector<Correspondence>& pairs,
-                                       const TopologyGraph<Scalar>& query, std::size_t max_pairs) {
-    std::map<ClassId, std::size_t> pairs_of_class;
-    for (const Correspondence& pair : pairs) ++pairs_of_class[query.node(pair.query).label];
-    std::vector<std::pair<std::size_t, ClassId>> rarest;
-    for (const auto& [label, count] : pairs_of_class) rarest.emplace_back(count, label);
-    std::sort(rarest.begin(), rarest.end());
-    std::size_t total = 0;
-    for (const auto& [count, label] : rarest) {
-      total += count;
-      if (total > max_pairs) pairs_of_class[label] = 0;
-    }
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                               [&](const Correspondence& pair) {
-                                 return pairs_of_class[query.node(pair.query).label] == 0;
-                               }),
-                pairs.end());
-  }
-
-  template <typename Node>
-  static bool sizes_fit(const Node& a, const Node& b, double max_ratio) {
-    const double size_a = static_cast<double>(a.size.norm());
-    const double size_b = static_cast<double>(b.size.norm());
-    if (size_a <= 0.0 || size_b <= 0.0) return true;
-    return std::max(size_a, size_b) <= max_ratio * std::min(size_a, size_b);
   }
 
   static bool agree(const detail::Distance& p, const detail::Distance& q,
                     const ConsistencyOptions& options) {
-    const double difference = std::abs(p.length - q.length);
-    if (difference <= options.min_tolerance) return true;
-    if (difference > options.max_tolerance) return false;
-    return difference * difference <=
-           options.deviations * options.deviations * (p.variance + q.variance);
+    return within_noise(p.length - q.length, p.variance + q.variance, options) &&
+           within_noise(p.drop - q.drop, p.drop_variance + q.drop_variance, options);
   }
 
-  bool complete_ = true;
+  static bool within_noise(double difference, double variance, const ConsistencyOptions& options) {
+    if (std::abs(difference) <= options.min_tolerance) return true;
+    if (std::abs(difference) > options.max_tolerance) return false;
+    return difference * difference <= options.deviations * options.deviations * variance;
+  }
+
+  bool complete_;
   std::vector<Correspondence> pairs_;
   std::vector<PointPair> points_;
   std::vector<std::size_t> query_of_;
   detail::BitMatrix agreement_;
+  std::optional<SharedVertical> vertical_;
   detail::DistanceTable candidate_distances_;
   detail::DistanceTable query_distances_;
 };

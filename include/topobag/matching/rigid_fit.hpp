@@ -11,6 +11,7 @@
 #include <Eigen/SVD>
 
 #include <topobag/assert.hpp>
+#include <topobag/matching/shared_vertical.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -22,7 +23,8 @@ struct RigidFit {
   double spread = 0.0;  ///< of the source points about a line, m
 };
 
-/// R.m.s. distance of points (3 × n, double, m) from the line that fits them best, m; 0 = collinear.
+/// R.m.s. distance of points (3 × n, double, m) from the line that fits them best, m; 0 =
+/// collinear.
 /// @param weights  n, positive; empty = all equal
 template <typename Points>
 double spread_about_line(const Eigen::MatrixBase<Points>& points,
@@ -93,6 +95,48 @@ std::optional<RigidFit> fit_rigid(const Eigen::MatrixBase<Target>& target,
   }
   fit.rms = std::sqrt(squares);
   fit.spread = spread_about_line(source, weights);
+  return fit;
+}
+
+/// The same under a known vertical: yaw and translation alone. Nothing for n < 1; when all points
+/// stand over each other the yaw is arbitrary. O(n).
+template <typename Target, typename Source>
+std::optional<RigidFit> fit_level(const Eigen::MatrixBase<Target>& target,
+                                  const Eigen::MatrixBase<Source>& source,
+                                  const SharedVertical& vertical,
+                                  const Eigen::VectorXd& weights = {}) {
+  if (source.cols() < 1) return std::nullopt;
+  const auto weight = [&](Eigen::Index i) { return weights.size() == 0 ? 1.0 : weights(i); };
+  double total = 0.0;
+  Eigen::Vector3d target_mean = Eigen::Vector3d::Zero(), source_mean = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < source.cols(); ++i) {
+    total += weight(i);
+    target_mean += weight(i) * target.col(i);
+    source_mean += weight(i) * source.col(i);
+  }
+  target_mean /= total;
+  source_mean /= total;
+  // Of the leveled source, turned by yaw about the upward axis u, Σ w t·s(yaw) is greatest.
+  const Eigen::Matrix3d level = vertical.rotation(0.0);
+  const Eigen::Vector3d up = -vertical.target_down;
+  double along = 0.0, across = 0.0, squares = 0.0;
+  for (Eigen::Index i = 0; i < source.cols(); ++i) {
+    const Eigen::Vector3d t = target.col(i) - target_mean;
+    const Eigen::Vector3d s = level * (source.col(i) - source_mean);
+    const Eigen::Vector3d flat = s - up.dot(s) * up;
+    along += weight(i) * t.dot(flat);
+    across += weight(i) * t.dot(up.cross(flat));
+    squares += weight(i) * flat.squaredNorm();
+  }
+  RigidFit fit;
+  fit.T_target_source.linear() = vertical.rotation(std::atan2(across, along));
+  fit.T_target_source.translation() = target_mean - fit.T_target_source.linear() * source_mean;
+  fit.spread = std::sqrt(squares / total);
+  double residuals = 0.0;
+  for (Eigen::Index i = 0; i < source.cols(); ++i) {
+    residuals += weight(i) * (target.col(i) - fit.T_target_source * source.col(i)).squaredNorm();
+  }
+  fit.rms = std::sqrt(residuals / total);
   return fit;
 }
 

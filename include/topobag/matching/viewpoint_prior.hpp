@@ -32,6 +32,15 @@ struct ViewpointPrior {
     const double peak = 2.0 * two_pi * two_pi * std::pow(two_pi * deviation * deviation, -1.5);
     return std::log10(share * peak * std::exp(-0.5 * turns * turns) + 1.0 - share);
   }
+
+  /// The same where the vertical is known, of the angle about it, rad in [0, π].
+  double log10_odds_of_yaw(double yaw) const {
+    if (!(share > 0.0)) return 0.0;
+    const double two_pi = 6.283185307179586;
+    const double turns = yaw / deviation;
+    const double peak = std::sqrt(two_pi) / deviation;
+    return std::log10(share * peak * std::exp(-0.5 * turns * turns) + 1.0 - share);
+  }
 };
 
 }  // namespace v0

@@ -13,19 +13,24 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// How far two nodes lie apart, m, and the variance of that, m².
+/// How far two nodes lie apart and the variance of that, m and m². Where the vertical is known,
+/// `length` is horizontal and `drop` the signed height that the second node lies below the first.
 struct Distance {
   double length = 0.0;
   double variance = 0.0;
+  double drop = 0.0;
+  double drop_variance = 0.0;
 };
 
 /// The distances between the nodes of one graph, worked out once: each enters the comparison with
 /// many distances of another graph. Zero where a node has no position.
 class DistanceTable {
  public:
+  /// @param vertical  the graph's, when distances are to be told by their horizontal and vertical
+  /// parts; null for the whole distance
   /// O(n²).
   template <typename Scalar>
-  explicit DistanceTable(const TopologyGraph<Scalar>& graph)
+  DistanceTable(const TopologyGraph<Scalar>& graph, const Gravity<Scalar>* vertical)
       : size_(graph.size()), distances_(size_ * size_) {
     struct Placed {
       std::size_t node;
@@ -39,8 +44,10 @@ class DistanceTable {
       if (!node.position) continue;
       const Placed here{i, node.position->template cast<double>(), position_covariance(node)};
       for (const Placed& there : placed) {
-        const Distance distance = distance_between(here, there);
+        Distance distance =
+            vertical ? level_distance(here, there, *vertical) : distance_between(here, there);
         distances_[i * size_ + there.node] = distance;
+        distance.drop = -distance.drop;
         distances_[there.node * size_ + i] = distance;
       }
       placed.push_back(here);
@@ -59,6 +66,22 @@ class DistanceTable {
     // Coincident nodes have no direction: the mean over all.
     if (!(length > 0.0)) return {length, covariance.trace() / 3.0};
     return {length, line.dot(covariance * line) / (length * length)};
+  }
+
+  /// From `a` to `b`; a tilt moves heights by the horizontal distance, and hardly that itself.
+  template <typename Placed, typename Vertical>
+  static Distance level_distance(const Placed& a, const Placed& b, const Vertical& vertical) {
+    const Eigen::Vector3d down = vertical.down.template cast<double>();
+    const Eigen::Matrix3d covariance = a.covariance + b.covariance;
+    const Eigen::Vector3d line = b.position - a.position;
+    const double drop = down.dot(line);
+    const Eigen::Vector3d level = line - drop * down;
+    const double length = level.norm();
+    const double drop_variance = down.dot(covariance * down);
+    const double variance = length > 0.0 ? level.dot(covariance * level) / (length * length)
+                                         : (covariance.trace() - drop_variance) / 2.0;
+    const double tilt = static_cast<double>(vertical.deviation) * length;
+    return {length, variance, drop, drop_variance + tilt * tilt};
   }
 
   std::size_t size_;

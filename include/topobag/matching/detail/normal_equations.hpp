@@ -30,6 +30,16 @@ class NormalEquations {
     for (const auto& pair : pairs) add(pair, T_target_source, kernel_width * kernel_width);
   }
 
+  /// Adds what the vertical says of the rotation.
+  template <typename Vertical>
+  void add_vertical(const Vertical& vertical, const Pose& T_target_source) {
+    const Vector3 down = vertical.target_down;
+    const Matrix3 projection = down * down.transpose();
+    const Matrix3 weight = (Matrix3::Identity() - projection) / vertical.variance;
+    turn_ += weight;
+    g_turn_ += weight * vertical.tilt(T_target_source.linear());
+  }
+
   /// ξ.
   struct Solution {
     Vector3 translation, rotation;
@@ -87,7 +97,7 @@ class NormalEquations {
   /// What is left when the translation is eliminated.
   struct Elimination {
     Matrix3 inverse_shift;
-    Matrix3 lever;  ///< translation = inverse_shift · g_shift − lever · rotation
+    Matrix3 lever;          ///< translation = inverse_shift · g_shift − lever · rotation
     Matrix3 turn_variance;  ///< inverse of the Schur complement
   };
   Elimination eliminated() const {

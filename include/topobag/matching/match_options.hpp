@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include <topobag/matching/chance_model.hpp>
+#include <topobag/matching/consistency_graph.hpp>
+#include <topobag/matching/missing_objects.hpp>
+#include <topobag/matching/refine_pose.hpp>
+#include <topobag/matching/viewpoint_prior.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// How poses are found and scored.
+struct MatchOptions {
+  ConsistencyOptions consistency{};  ///< which pairs of nodes agree
+  ChanceModel chance{};              ///< how often chance does as well
+  MissingObjects missing{};          ///< what absent objects cost
+  ViewpointPrior viewpoint{};        ///< how likely a revisit is turned so
+  RefineOptions refine{};            ///< the fit over all objects
+  std::size_t max_steps = 20000;     ///< branches of the clique search
+  std::size_t slack = 1;  ///< cliques this much smaller than the largest are tried as well
+  std::size_t max_hypotheses =
+      64;  ///< cliques whose pose is worked out, largest and tightest first
+  double inlier_deviations =
+      3.0;  ///< standard deviations (of a 3-D residual) within which a pair supports a pose
+  double max_residual = 0.40;  ///< m; beyond it a pair supports no pose
+  double min_spread = 0.05;    ///< m; inliers nearer to one line leave the rotation about it open
+  double max_rotation_deviation =
+      0.31;  ///< rad; a pose less certain about its worst axis is degenerate
+  double distinct_translation = 0.5;  ///< m; two poses further apart,
+  double distinct_rotation = 0.5;     ///< rad; or turned by more, are different
+};
+
+}  // namespace v0
+}  // namespace topobag
