@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/place_count.hpp>
 #include <topobag/bag/query.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
@@ -45,7 +46,8 @@ class BagOfTopologyGraphs {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
-    entries_.emplace(id, make_entry(std::move(graph), std::move(info)));
+    const auto added = entries_.emplace(id, make_entry(std::move(graph), std::move(info))).first;
+    places_.add(id, added->second.info);
   }
 
   /// Replaces a key frame's graph and info. Throws InvalidId if `id` is not there.
@@ -54,16 +56,30 @@ class BagOfTopologyGraphs {
     if (it == entries_.end()) {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
-    it->second = make_entry(std::move(graph), std::move(info));
+    Entry entry = make_entry(std::move(graph), std::move(info));
+    places_.remove(id, it->second.info);
+    it->second = std::move(entry);
+    places_.add(id, it->second.info);
   }
 
   /// Takes a key frame out; false if it was not there.
-  bool erase(KeyframeId id) { return entries_.erase(id) == 1; }
-  void clear() noexcept { entries_.clear(); }
+  bool erase(KeyframeId id) {
+    const auto it = entries_.find(id);
+    if (it == entries_.end()) return false;
+    places_.remove(id, it->second.info);
+    entries_.erase(it);
+    return true;
+  }
+  void clear() noexcept {
+    entries_.clear();
+    places_.clear();
+  }
 
   bool contains(KeyframeId id) const { return entries_.count(id) != 0; }
   std::size_t size() const noexcept { return entries_.size(); }
   bool empty() const noexcept { return entries_.empty(); }
+  /// Different places among the entries. O(1).
+  std::size_t places() const noexcept { return places_.size(); }
 
   /// The key frame's graph, or nothing.
   std::optional<Graph> find(KeyframeId id) const {
@@ -146,6 +162,7 @@ class BagOfTopologyGraphs {
 
   Similarity similarity_;
   std::map<KeyframeId, Entry> entries_;
+  PlaceCount places_;
 };
 
 }  // namespace v0

@@ -35,6 +35,8 @@ class BasicBagView {
 
   std::size_t size() const noexcept { return parts_.live; }
   bool empty() const noexcept { return parts_.live == 0; }
+  /// Different places among the entries. O(1).
+  std::size_t places() const noexcept { return parts_.places; }
   bool contains(KeyframeId id) const { return parts_.find(id).has_value(); }
 
   /// The key frame's graph as it is stored, or nothing.

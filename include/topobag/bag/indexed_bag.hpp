@@ -15,6 +15,7 @@
 #include <topobag/bag/detail/free_ids.hpp>
 #include <topobag/bag/detail/part_builder.hpp>
 #include <topobag/bag/merge_options.hpp>
+#include <topobag/bag/place_count.hpp>
 #include <topobag/error.hpp>
 
 namespace topobag {
@@ -47,12 +48,14 @@ class BasicIndexedBag {
       : similarity_(other.similarity_), views_(other.views_) {
     detail::BagParts parts = other.view()->parts_;
     if (parts.head) parts.head = std::make_shared<detail::HeadBlock>(*parts.head, parts.head_size);
+    recount(parts);
     publish(std::move(parts));
   }
   BasicIndexedBag& operator=(const BasicIndexedBag& other) {
     BasicIndexedBag copy(other);
     similarity_ = copy.similarity_;
     views_ = copy.views_;
+    places_ = copy.places_;
     publish(copy.parts());
     return *this;
   }
@@ -72,6 +75,7 @@ class BasicIndexedBag {
     }
     detail::BagParts next = parts();
     append(next, make_entry(id, graph, info));
+    places_.add(id, info);
     publish(std::move(next));
   }
 
@@ -83,8 +87,11 @@ class BasicIndexedBag {
     }
     detail::HeadBlock::Entry entry = make_entry(id, graph, info);
     detail::BagParts next = parts();
+    const EntryInfo before = next.info(*place);
     remove(next, *place);
     append(next, std::move(entry));
+    places_.remove(id, before);
+    places_.add(id, info);
     publish(std::move(next));
   }
 
@@ -94,12 +101,17 @@ class BasicIndexedBag {
     const auto place = parts().find(id);
     if (!place) return false;
     detail::BagParts next = parts();
+    const EntryInfo before = next.info(*place);
     remove(next, *place);
+    places_.remove(id, before);
     publish(std::move(next));
     return true;
   }
 
-  void clear() { publish({}); }
+  void clear() {
+    places_.clear();
+    publish({});
+  }
 
   /// Adds all entries of another bag. Ids that are free are kept; the others become the numbers
   /// after the greatest of both bags, in their order. Views come along where this bag keeps them.
@@ -130,6 +142,7 @@ class BasicIndexedBag {
     for (detail::SealedPart& part : builder.finish()) sealed_parts->push_back(std::move(part));
     next.sealed = std::move(sealed_parts);
     next.live += theirs.live;
+    recount(next);
     publish(std::move(next));
     return new_ids;
   }
@@ -147,6 +160,7 @@ class BasicIndexedBag {
 
   std::size_t size() const { return view()->size(); }
   bool empty() const { return view()->empty(); }
+  std::size_t places() const { return view()->places(); }
   bool contains(KeyframeId id) const { return view()->contains(id); }
   std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }
   std::optional<EntryInfo> info(KeyframeId id) const { return view()->info(id); }
@@ -163,7 +177,16 @@ class BasicIndexedBag {
   /// For the writer, who alone replaces the view.
   const detail::BagParts& parts() const { return view_->parts_; }
 
+  /// Counts the places of `parts` anew. O(n log places).
+  void recount(const detail::BagParts& parts) {
+    places_.clear();
+    parts.for_each([&](detail::EntryPlace place) {
+      places_.add(parts.entry(place).id, parts.info(place));
+    });
+  }
+
   void publish(detail::BagParts parts) {
+    parts.places = places_.size();
     auto next = std::make_shared<const View>(similarity_, std::move(parts));
     const std::lock_guard<std::mutex> lock(mutex_);
     view_.swap(next);  // the old one goes when the lock is free again
@@ -235,6 +258,7 @@ class BasicIndexedBag {
   std::shared_ptr<const Similarity> similarity_;
   ViewSection views_;
   detail::NodeScan scan_;  ///< the writer's
+  PlaceCount places_;      ///< the writer's
   mutable std::mutex mutex_;
   std::shared_ptr<const View> view_;  ///< replaced under `mutex_`
 };

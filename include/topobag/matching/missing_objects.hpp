@@ -30,7 +30,7 @@ struct MissingObject {
 /// beyond it, and not where nothing was measured. In a view without, a nearer detected box hides.
 struct MissingObjects {
   double max_detection_rate = 0.8;  ///< of one view; even a plain object is overlooked at times
-  double correlation = 0.5;         ///< share of a view's oversight that the other views repeat
+  double correlation = 1.0;         ///< share of a view's oversight that the other views repeat
   double min_probability = 0.4;     ///< of another reason to be missing: moved, hidden, misread
   double image_margin = 40.0;       ///< px from the border within which nothing need show
   double max_depth = 5.0;           ///< m beyond which nothing need show

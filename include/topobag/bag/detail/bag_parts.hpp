@@ -49,6 +49,7 @@ struct BagParts {
   std::size_t head_size = 0;        ///< entries of it that belong here
   std::bitset<HeadBlock::capacity> dead_in_head;
   std::size_t live = 0;
+  std::size_t places = 0;  ///< different ones among the live entries
 
   /// O(segments · log n).
   std::optional<EntryPlace> find(KeyframeId id) const {

@@ -30,7 +30,8 @@ class DistanceTable {
   /// parts; null for the whole distance
   /// O(n²).
   template <typename Scalar>
-  DistanceTable(const TopologyGraph<Scalar>& graph, const Gravity<Scalar>* vertical)
+  explicit DistanceTable(const TopologyGraph<Scalar>& graph,
+                         const Gravity<Scalar>* vertical = nullptr)
       : size_(graph.size()), distances_(size_ * size_) {
     struct Placed {
       std::size_t node;

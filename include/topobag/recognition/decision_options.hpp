@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <topobag/error.hpp>
+#include <topobag/recognition/calibration.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// When a match is believed, stated as a rate: of the look-ups of places that the map does not hold,
+/// so many may be accepted, however large the map. One set for all data; the pages say how it was
+/// chosen.
+///
+/// A score is −log10 of the odds that chance gave one match of one place as good. A look-up asks
+/// every place of the map, those that retrieval passes over as well, so that among N places chance
+/// gives N · 10^−score such matches: the score to ask for is log10(N / rate), less what the chance
+/// model, which bounds a probability from above, is too careful by (`surplus`).
+struct DecisionOptions {
+  double false_accept_rate = 1e-3;  ///< share of look-ups of places that the map does not hold
+  double min_lead = 1.0;  ///< in support, over every pose that puts the query elsewhere
+  double surplus = 2.0;   ///< decades by which 10^−score exceeds the rate of chance, as measured
+
+  std::optional<Calibration> calibration{};  ///< learnt in this very map: says the score to ask for
+  std::optional<double> min_score{};         ///< with it, that is the score to ask for
+
+  /// The score to ask for among `places`. Throws InvalidValue for a rate outside (0, 1].
+  double threshold(std::size_t places) const {
+    if (min_score) return *min_score;
+    if (calibration) return calibration->threshold(false_accept_rate).score;
+    if (!(false_accept_rate > 0.0 && false_accept_rate <= 1.0)) {
+      throw InvalidValue("a false-accept rate must be in (0, 1]");
+    }
+    const auto asked = static_cast<double>(std::max<std::size_t>(places, 1));
+    return std::log10(asked / false_accept_rate) - surplus;
+  }
+};
+
+}  // namespace v0
+}  // namespace topobag
