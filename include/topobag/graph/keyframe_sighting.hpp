@@ -23,7 +23,8 @@ struct KeyframeSighting {
   double stamp = 0.0;                 ///< s
   std::vector<SemanticNode<>> nodes;  ///< in the key frame's camera frame
   View<> view;                        ///< its camera and what hides things from it
-  std::optional<Gravity<>> gravity;   ///< down in its camera frame, where the front end knows
+  /// Which way is down in its camera frame, where the front end knows.
+  std::optional<Gravity<>> gravity = std::nullopt;
 };
 
 /// What of a key frame's detections is used.

@@ -98,6 +98,20 @@ TEST_CASE("a place of the border is the same on either side of its middle", "[ba
   }
 }
 
+TEST_CASE("a direction of the border has one place, whatever the sign of its zero",
+          "[bag][gravity]") {
+  for (const double other : {-1.0, -0.3, 0.3, 1.0}) {
+    for (const double nothing : {0.0, 1e-17}) {
+      CHECK(detail::octahedron_place({nothing, other, -1.0}) ==
+            detail::octahedron_place({-nothing, other, -1.0}));
+      CHECK(detail::octahedron_place({other, nothing, -1.0}) ==
+            detail::octahedron_place({other, -nothing, -1.0}));
+    }
+  }
+  CHECK(detail::octahedron_place({-0.0, -0.0, -1.0}) ==
+        detail::OctahedronPlace(detail::octahedron_steps, detail::octahedron_steps));
+}
+
 TEST_CASE("gravity's deviation comes back within 4.5 %, or at the end of its range",
           "[bag][gravity]") {
   for (double deviation = 0.00025; deviation < 14.0; deviation *= 1.01) {

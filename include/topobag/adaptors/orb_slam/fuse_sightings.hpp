@@ -19,7 +19,8 @@ struct PosedSighting {
   std::shared_ptr<const KeyframeSighting> sighting;  ///< what its key frame shows
   Eigen::Isometry3d T_world_camera =
       Eigen::Isometry3d::Identity();  ///< the host's pose of its key frame
-  std::optional<Gravity<>> gravity;   ///< as the host says now; nothing: as the sighting says
+  /// As the host says now; nothing: as the sighting says.
+  std::optional<Gravity<>> gravity = std::nullopt;
 };
 
 /// The graph of the last sighting's key frame, fused from all of them in the order of time. The
