@@ -16,14 +16,14 @@ inline namespace v0 {
 /// How many different places a map holds: key frames of one spot are one place, however many they
 /// are. A look-up asks them all, so that its chance of a false match grows with them.
 ///
-/// Places are the cells of a grid of `cell` m that hold a camera. Key frames without a pose, of which
-/// nothing tells how far apart they are, count by their ids: those of one session in one run of
-/// `ids_per_place` are one place. The count depends on what is in the map alone, not on the order in
-/// which it came.
+/// Places are the cells of a grid of `cell` m that hold a camera. Key frames without a pose, of
+/// which nothing tells how far apart they are, count by their ids: those of one session in one run
+/// of `ids_per_place` are one place. The count depends on what is in the map alone, not on the
+/// order in which it came.
 class PlaceCount {
  public:
-  static constexpr double cell = 3.0;                ///< m, about as far as a view has objects
-  static constexpr std::uint64_t ids_per_place = 30; ///< key frames
+  static constexpr double cell = 3.0;                 ///< m, about as far as a view has objects
+  static constexpr std::uint64_t ids_per_place = 30;  ///< key frames
 
   /// Counts an entry. O(log places).
   void add(KeyframeId id, const EntryInfo& info) { ++entries_[place_of(id, info)]; }

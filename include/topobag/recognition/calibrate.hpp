@@ -20,6 +20,7 @@ inline namespace v0 {
 inline RecognitionOptions without_threshold(RecognitionOptions options) {
   options.decision.calibration.reset();
   options.decision.min_score = -1e6;
+  options.place.min_score = -1e6;
   return options;
 }
 
@@ -27,7 +28,7 @@ inline RecognitionOptions without_threshold(RecognitionOptions options) {
 /// was refused for another reason.
 inline std::optional<double> false_score(const Recognition& recognition) {
   if (!recognition) return std::nullopt;
-  return recognition.accepted->pose->score();
+  return recognition.accepted->score();
 }
 
 /// Says of two key frames that they cannot be of one place: what the front end knows by odometry, a

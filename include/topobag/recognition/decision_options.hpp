@@ -12,9 +12,9 @@
 namespace topobag {
 inline namespace v0 {
 
-/// When a match is believed, stated as a rate: of the look-ups of places that the map does not hold,
-/// so many may be accepted, however large the map. One set for all data; the pages say how it was
-/// chosen.
+/// When a match is believed, stated as a rate: of the look-ups of places that the map does not
+/// hold, so many may be accepted, however large the map. One set for all data; the pages say how it
+/// was chosen.
 ///
 /// A score is −log10 of the odds that chance gave one match of one place as good. A look-up asks
 /// every place of the map, those that retrieval passes over as well, so that among N places chance
@@ -22,8 +22,8 @@ inline namespace v0 {
 /// model, which bounds a probability from above, is too careful by (`surplus`).
 struct DecisionOptions {
   double false_accept_rate = 1e-3;  ///< share of look-ups of places that the map does not hold
-  double min_lead = 1.0;  ///< in support, over every pose that puts the query elsewhere
-  double surplus = 2.0;   ///< decades by which 10^−score exceeds the rate of chance, as measured
+  double min_lead = 1.0;            ///< in support, over every pose that puts the query elsewhere
+  double surplus = 2.0;  ///< decades by which 10^−score exceeds the rate of chance, as measured
 
   std::optional<Calibration> calibration{};  ///< learnt in this very map: says the score to ask for
   std::optional<double> min_score{};         ///< with it, that is the score to ask for

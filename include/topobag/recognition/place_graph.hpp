@@ -74,12 +74,9 @@ std::vector<Neighbor<typename Bag::Graph>> neighbors_by_pose(
 
 /// Without poses: those whose ids are next to the candidate's in its session, where they match it.
 template <typename Bag>
-std::vector<Neighbor<typename Bag::Graph>> neighbors_by_id(const Bag& bag, KeyframeId id,
-                                                           const EntryInfo& info,
-                                                           const typename Bag::Graph& candidate,
-                                                           const QueryOptions& retrieval,
-                                                           const MatchOptions& matching,
-                                                           const PlaceOptions& options) {
+std::vector<Neighbor<typename Bag::Graph>> neighbors_by_id(
+    const Bag& bag, KeyframeId id, const EntryInfo& info, const typename Bag::Graph& candidate,
+    const QueryOptions& retrieval, const MatchOptions& matching, const PlaceOptions& options) {
   std::vector<Neighbor<typename Bag::Graph>> neighbors;
   for (std::size_t step = options.max_neighbors; step > 0; --step) {
     for (const bool before : {true, false}) {
@@ -108,8 +105,7 @@ std::vector<Neighbor<typename Bag::Graph>> neighbors_by_id(const Bag& bag, Keyfr
 /// the place is the candidate's graph. Entries that `retrieval` does not admit are left out.
 /// O(query of the region + key frames · objects²).
 template <typename Bag>
-typename Bag::Graph place_graph(const Bag& bag, KeyframeId id,
-                                const typename Bag::Graph& candidate,
+typename Bag::Graph place_graph(const Bag& bag, KeyframeId id, const typename Bag::Graph& candidate,
                                 const typename Bag::Graph& query,
                                 const Eigen::Isometry3d& T_candidate_query,
                                 const QueryOptions& retrieval = {},
@@ -119,11 +115,11 @@ typename Bag::Graph place_graph(const Bag& bag, KeyframeId id,
   using Pose = typename LocalGraph<Scalar>::Pose;
   std::vector<detail::Neighbor<typename Bag::Graph>> neighbors;
   if (const auto info = detail::info_of(bag, id, 0)) {
-    neighbors = info->T_world_camera
-                    ? detail::neighbors_by_pose(bag, id, *info->T_world_camera, T_candidate_query,
-                                                query, retrieval, options)
-                    : detail::neighbors_by_id(bag, id, *info, candidate, retrieval, matching,
-                                              options);
+    neighbors =
+        info->T_world_camera
+            ? detail::neighbors_by_pose(bag, id, *info->T_world_camera, T_candidate_query, query,
+                                        retrieval, options)
+            : detail::neighbors_by_id(bag, id, *info, candidate, retrieval, matching, options);
   }
   if (neighbors.empty()) return candidate;
 
@@ -135,7 +131,8 @@ typename Bag::Graph place_graph(const Bag& bag, KeyframeId id,
   const auto add = [&](const auto& graph, const Eigen::Isometry3d& T_candidate_added) {
     // The newest view is the key frame's own camera.
     View<Scalar> view = graph.views().empty() ? View<Scalar>{} : graph.views().back();
-    const Pose moved((T_candidate_previous.inverse() * T_candidate_added).matrix().template cast<Scalar>());
+    const Pose moved(
+        (T_candidate_previous.inverse() * T_candidate_added).matrix().template cast<Scalar>());
     local.add(order++, graph.nodes(), moved, std::move(view));
     T_candidate_previous = T_candidate_added;
   };
@@ -156,9 +153,10 @@ typename Bag::Graph place_graph(const Bag& bag, KeyframeId id,
           return view.in_field(point, Scalar(0), static_cast<Scalar>(options.max_depth));
         });
     const bool near_object =
-        looked_at || std::any_of(query.nodes().begin(), query.nodes().end(), [&](const auto& other) {
-          return other.position && (other.position->template cast<double>() - in_query).norm() <
-                                       options.margin;
+        looked_at ||
+        std::any_of(query.nodes().begin(), query.nodes().end(), [&](const auto& other) {
+          return other.position &&
+                 (other.position->template cast<double>() - in_query).norm() < options.margin;
         });
     if (near_object) nodes.push_back(node);
   }

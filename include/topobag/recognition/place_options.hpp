@@ -15,15 +15,17 @@ struct PlaceOptions {
   double min_score = 0.0;          ///< by one graph; below it a pose is not worth the place's time
   double distinct_translation = 1.0;  ///< m; two camera poses in the world further apart
   double distinct_rotation = 0.5;     ///< rad; or turned by more, are elsewhere
-  std::uint64_t min_id_gap = 30;  ///< without poses: ids of one session this far apart are elsewhere
+  std::uint64_t min_id_gap =
+      30;  ///< without poses: ids of one session this far apart are elsewhere
 
   std::size_t max_keyframes = 12;  ///< that are fused with the candidate: the nearest to the query
   double radius = 2.5;       ///< m around the query's camera, where the world's poses are known
   double turn_weight = 1.0;  ///< m that a turn of one rad counts for in "nearest"
-  std::size_t max_neighbors = 3;  ///< without poses: ids before and after the candidate's
-  double margin = 0.5;            ///< m from an object of the query that its place reaches at least
-  double max_depth = 8.0;         ///< m; as far as the query's cameras look
-  LocalGraphOptions fusing{};     ///< its window is not used
+  std::size_t max_neighbors = 3;   ///< without poses: ids before and after the candidate's
+  double no_agreement_cost = 3.0;  ///< decades that a place costs in which no three objects agree
+  double margin = 0.5;         ///< m from an object of the query that its place reaches at least
+  double max_depth = 8.0;      ///< m; as far as the query's cameras look
+  LocalGraphOptions fusing{};  ///< its window is not used
 };
 
 }  // namespace v0

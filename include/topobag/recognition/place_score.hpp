@@ -32,7 +32,7 @@ double place_score(const Report& report, const PlaceScale& scale = {}) {
   const auto& T = report.pose->T_candidate_query;
   const double t = T.translation().norm() / scale.translation;
   const double turn = Eigen::AngleAxisd(T.linear()).angle() / scale.rotation;
-  const double s = std::max(0.0, report.pose->score());
+  const double s = std::max(0.0, report.score());
   return 0.5 * (1.0 + s / (1.0 + s)) * std::exp(-0.5 * (t * t + turn * turn));
 }
 

@@ -13,6 +13,12 @@
 namespace topobag {
 inline namespace v0 {
 
+/// Another place of the map that fits about as well.
+struct RivalPlace {
+  KeyframeId id{};       ///< a key frame of it
+  double support = 0.0;  ///< of its pose, by its graph and its place
+};
+
 /// What became of one candidate.
 struct CandidateReport {
   KeyframeId id{};                          ///< of the entry
@@ -21,12 +27,28 @@ struct CandidateReport {
   std::optional<RelativePose> pose;         ///< the best one that will do, when three objects agree
   std::vector<RelativePose> other_poses;    ///< the other distinct ones, best first
   std::map<ClassId, std::size_t> matched;   ///< matched objects by class (the query's)
+  std::optional<double> place_support;      ///< of the pose by all objects of the place around it
+  std::optional<RivalPlace> rival;          ///< that keeps the pose from being believed
   double threshold = 0.0;                   ///< the score that was asked for
   std::optional<double> confidence;         ///< P(true), when the decision is calibrated
   bool complete = true;                     ///< false when the search ended with its budget
 
+  /// What the objects say of the pose: by the candidate's graph alone, or, where the place around
+  /// it was asked as well, the mean of the two. Both are −log10 of the same odds, and err apart:
+  /// one camera overlooks, a place holds what was there at another time. 0 without a pose.
+  double support() const noexcept {
+    if (!pose) return 0.0;
+    return place_support ? 0.5 * (pose->support() + *place_support) : pose->support();
+  }
+
+  /// What the decision looks at: −log10 of the odds that chance made the match. 0 without a pose.
+  double score() const noexcept {
+    if (!pose) return 0.0;
+    return place_support ? 0.5 * (pose->score() + *place_support) : pose->score();
+  }
+
   /// By how much the score passed the threshold; negative when it missed.
-  double margin() const noexcept { return pose ? pose->score() - threshold : -threshold; }
+  double margin() const noexcept { return score() - threshold; }
 };
 
 /// The answer to "have I been here, and where exactly?", with the reasons.
@@ -34,6 +56,7 @@ struct Recognition {
   std::optional<CandidateReport> accepted;  ///< at most one
   std::vector<CandidateReport> candidates;  ///< all that were tried, best score first
   bool usable = false;                      ///< the query graph has three nodes with a position
+  std::size_t places = 0;                   ///< of the map that were asked
 
   /// Whether a candidate was accepted.
   explicit operator bool() const noexcept { return accepted.has_value(); }

@@ -11,18 +11,11 @@
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/recognition/recognition.hpp>
+#include <topobag/recognition/recognition_options.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// The three steps from a query to an answer.
-struct RecognitionOptions {
-  std::size_t max_candidates = 256;  ///< best of the retrieval that are matched; all in a small bag
-  QueryOptions retrieval{};          ///< its `max_results` is overruled by `max_candidates`
-  MatchOptions matching{};           ///< how poses are found
-  DecisionOptions decision{};        ///< when a pose is believed
-};
 
 namespace detail {
 
@@ -78,8 +71,7 @@ class Relocalizer {
     retrieval.max_results = options.max_candidates;
     // Asked and verified as it is now, whatever a writer does meanwhile.
     const auto map = detail::present_view(map_, 0);
-    return verify_candidates(*map, query, map->query(query, retrieval), options.matching,
-                             options.decision);
+    return verify_candidates(*map, query, map->query(query, retrieval), options);
   }
 
   /// Those of every query that brings none.

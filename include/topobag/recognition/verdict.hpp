@@ -11,7 +11,8 @@ enum class Verdict {
   no_agreement,  ///< no three objects of the same classes lie alike
   degenerate,  ///< the matched objects leave the pose open: nearly on a line, or too close together
   chance,      ///< such a match would come about by chance too often, or too much is missing
-  ambiguous,   ///< another pose fits about as well
+  ambiguous,   ///< another pose in the same candidate fits about as well
+  rivalled,    ///< another place of the map fits about as well
   outdone,     ///< good enough, but another candidate is better
   accepted,
 };
@@ -27,6 +28,8 @@ inline const char* to_string(Verdict verdict) noexcept {
       return "may well be chance";
     case Verdict::ambiguous:
       return "another pose fits about as well";
+    case Verdict::rivalled:
+      return "another place fits about as well";
     case Verdict::outdone:
       return "another candidate is better";
     case Verdict::accepted:

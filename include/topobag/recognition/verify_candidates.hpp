@@ -2,58 +2,24 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include <topobag/bag/query.hpp>
 #include <topobag/matching/match_graphs.hpp>
-#include <topobag/recognition/calibration.hpp>
+#include <topobag/recognition/place_hypotheses.hpp>
+#include <topobag/recognition/pose_rivals.hpp>
 #include <topobag/recognition/recognition.hpp>
+#include <topobag/recognition/recognition_options.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
-/// When a match is believed. One set for all data; see the README for how it was chosen.
-struct DecisionOptions {
-  double min_score = 0.65;  ///< −log10 of the odds that chance made the match
-  double min_lead = 1.0;    ///< in support, over every other distinct pose in the same candidate
-
-  std::optional<Calibration> calibration{};  ///< with it, in place of `min_score`,
-  double false_accept_rate = 0.01;           ///< share of look-ups of other places to bear
-
-  /// The score to ask for. Throws InvalidValue when it follows from a rate outside (0, 1].
-  double threshold() const {
-    return calibration ? calibration->threshold(false_accept_rate).score : min_score;
-  }
-};
-
 namespace detail {
-
-/// Whether `pose` lies within the 95 % region of a pose that the matched objects leave open.
-template <typename Pose>
-bool within_uncertainty(const Pose& open, const Pose& pose) {
-  const double chi2_95 = 12.5916;  // of six degrees of freedom
-  const Eigen::Isometry3d between = pose.T_candidate_query * open.T_candidate_query.inverse();
-  const Eigen::AngleAxisd turn(between.linear());
-  Eigen::Matrix<double, 6, 1> xi;
-  xi << between.translation(), turn.angle() * turn.axis();
-  return xi.dot((open.covariance + pose.covariance).ldlt().solve(xi)) <= chi2_95;
-}
-
-/// Whether another pose of the candidate keeps `pose` from being believed: it fits about as well. A
-/// degenerate pose is no answer itself, but says that the answer is elsewhere if it fits better and
-/// does not leave `pose` open.
-template <typename Pose>
-bool is_rival(const Pose& other, const Pose& pose, double min_lead) {
-  if (!other.degenerate) return other.support() > pose.support() - min_lead;
-  return other.score() > pose.score() && !within_uncertainty(other, pose);
-}
 
 /// Puts the best pose first that is not degenerate, if it reaches the threshold.
 template <typename Pose>
@@ -64,6 +30,7 @@ void prefer_determined(std::vector<Pose>& poses, double threshold) {
   std::rotate(poses.begin(), determined, determined + 1);
 }
 
+/// The stages that a candidate passes by itself; `accepted` when all.
 template <typename Report>
 Verdict judge_candidate(const Report& report, const DecisionOptions& options) {
   if (!report.pose) return Verdict::no_agreement;
@@ -72,52 +39,82 @@ Verdict judge_candidate(const Report& report, const DecisionOptions& options) {
   const bool ambiguous = std::any_of(
       report.other_poses.begin(), report.other_poses.end(),
       [&](const auto& other) { return is_rival(other, *report.pose, options.min_lead); });
-  return ambiguous ? Verdict::ambiguous : Verdict::accepted;
+  if (ambiguous) return Verdict::ambiguous;
+  return report.rival ? Verdict::rivalled : Verdict::accepted;
+}
+
+/// What matching says of a candidate.
+template <typename Graph>
+CandidateReport matched_report(const Candidate& candidate, const Graph& graph, const Graph& query,
+                               const MatchOptions& matching, double threshold) {
+  CandidateReport report;
+  report.id = candidate.id;
+  report.similarity = candidate.score;
+  report.threshold = threshold;
+  GraphMatch match = match_graphs(graph, query, matching);
+  report.complete = match.complete;
+  prefer_determined(match.poses, threshold);
+  if (match.poses.empty()) return report;
+  report.pose = std::move(match.poses.front());
+  report.other_poses.assign(std::make_move_iterator(match.poses.begin() + 1),
+                            std::make_move_iterator(match.poses.end()));
+  for (const Correspondence& pair : report.pose->inliers) {
+    ++report.matched[query.node(pair.query).label];
+  }
+  return report;
+}
+
+/// Different places of a bag, by its own word; of one that does not tell, every candidate is one.
+template <typename Bag>
+auto places_of(const Bag& bag, std::size_t, int) -> decltype(std::size_t{bag.places()}) {
+  return bag.places();
+}
+template <typename Bag>
+std::size_t places_of(const Bag&, std::size_t candidates, long) {
+  return candidates;
 }
 
 }  // namespace detail
 
-/// Matches the query with each candidate and accepts at most one: the best score among those that
-/// pass every stage.
+/// Matches the query with each candidate, judges the best poses again by the places around them,
+/// and accepts at most one: the best score among those that pass every stage.
 ///
-/// @param bag         gives the candidates' graphs by `find`
+/// The places are those of the whole bag, for all of it was asked (`DecisionOptions`). A pose is
+/// rivalled when one that puts the query elsewhere in the world fits about as well: in another
+/// candidate with a pose in the world, or, without poses, in one of another session or whose id is
+/// at least `PlaceOptions::min_id_gap` away.
+///
+/// @param bag         gives the candidates' graphs by `find`, and what is known of them by `info`
 /// @param candidates  from `bag.query`
 /// Deterministic; ties go to the smaller id.
 template <typename Bag>
 Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
                               const std::vector<Candidate>& candidates,
-                              const MatchOptions& matching = {},
-                              const DecisionOptions& decision = {}) {
+                              const RecognitionOptions& options = {}) {
   Recognition recognition;
   recognition.usable = query.is_matchable();
   if (!recognition.usable) return recognition;
-  const double threshold = decision.threshold();
+  recognition.places = detail::places_of(bag, candidates.size(), 0);
+  const double threshold = options.decision.threshold(recognition.places);
+  auto& reports = recognition.candidates;
   for (const Candidate& candidate : candidates) {
     const auto graph = bag.find(candidate.id);
     if (!graph) continue;
-    CandidateReport report;
-    report.id = candidate.id;
-    report.similarity = candidate.score;
-    report.threshold = threshold;
-    GraphMatch match = match_graphs(*graph, query, matching);
-    report.complete = match.complete;
-    detail::prefer_determined(match.poses, threshold);
-    if (!match.poses.empty()) {
-      report.pose = std::move(match.poses.front());
-      report.other_poses.assign(std::make_move_iterator(match.poses.begin() + 1),
-                                std::make_move_iterator(match.poses.end()));
-      for (const Correspondence& pair : report.pose->inliers)
-        ++report.matched[query.node(pair.query).label];
-    }
-    report.verdict = detail::judge_candidate(report, decision);
-    // A calibration knows the scores of matches with one clear pose, and says nothing of others.
-    if (decision.calibration && report.pose && report.verdict != Verdict::degenerate &&
-        report.verdict != Verdict::ambiguous) {
-      report.confidence = decision.calibration->probability(report.pose->score());
-    }
-    recognition.candidates.push_back(std::move(report));
+    reports.push_back(
+        detail::matched_report(candidate, *graph, query, options.matching, threshold));
   }
-  auto& reports = recognition.candidates;
+  detail::judge_places(bag, query, options, reports);
+  for (CandidateReport& report : reports) {
+    report.verdict = detail::judge_candidate(report, options.decision);
+    // Poses that were not judged by their place are of a better one's place, or not worth it.
+    const bool passed = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled;
+    if (passed && !report.place_support) report.verdict = Verdict::outdone;
+    // A calibration knows the scores of matches with one clear pose, and says nothing of others.
+    if (options.decision.calibration && report.place_support &&
+        (report.verdict == Verdict::accepted || report.verdict == Verdict::chance)) {
+      report.confidence = options.decision.calibration->probability(report.score());
+    }
+  }
   std::sort(reports.begin(), reports.end(), [](const CandidateReport& a, const CandidateReport& b) {
     if (a.margin() != b.margin()) return a.margin() > b.margin();
     return a.id < b.id;

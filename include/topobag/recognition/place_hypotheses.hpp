@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/bag/entry_info.hpp>
+#include <topobag/matching/judge_pose.hpp>
+#include <topobag/matching/relative_pose.hpp>
+#include <topobag/recognition/place_graph.hpp>
+#include <topobag/recognition/recognition.hpp>
+#include <topobag/recognition/recognition_options.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// A pose of the query in the map that stands for all that put it about there.
+struct PlaceHypothesis {
+  std::size_t report = 0;              ///< position among the reports
+  const RelativePose* pose = nullptr;  ///< of that report, its best or another one
+  std::optional<EntryInfo> info;       ///< of the candidate
+  double support = 0.0;                ///< by the candidate's graph, then by its place as well
+};
+
+/// Whether two hypotheses put the query in one place, looking the same way.
+inline bool same_place(const PlaceHypothesis& a, KeyframeId a_id, const PlaceHypothesis& b,
+                       KeyframeId b_id, const PlaceOptions& options) {
+  const auto apart = [&](const Eigen::Isometry3d& between) {
+    return between.translation().norm() > options.distinct_translation ||
+           Eigen::AngleAxisd(between.linear()).angle() > options.distinct_rotation;
+  };
+  const Eigen::Isometry3d& T_a = a.pose->T_candidate_query;
+  const Eigen::Isometry3d& T_b = b.pose->T_candidate_query;
+  if (a_id == b_id) return !apart(T_a.inverse() * T_b);
+  if (a.info && b.info && a.info->T_world_camera && b.info->T_world_camera) {
+    return !apart((*a.info->T_world_camera * T_a).inverse() * (*b.info->T_world_camera * T_b));
+  }
+  if (a.info && b.info && a.info->session != b.info->session) return false;
+  const std::uint64_t low = std::min(value(a_id), value(b_id));
+  return std::max(value(a_id), value(b_id)) - low < options.min_id_gap;
+}
+
+/// The best poses of all candidates, each in another place, best first.
+template <typename Bag, typename Reports>
+std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, const Reports& reports,
+                                              const PlaceOptions& options) {
+  std::vector<PlaceHypothesis> all;
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    const auto offer = [&](const RelativePose& pose) {
+      if (!pose.degenerate && pose.score() >= options.min_score) {
+        all.push_back({i, &pose, std::nullopt, pose.support()});
+      }
+    };
+    if (reports[i].pose) offer(*reports[i].pose);
+    for (const RelativePose& other : reports[i].other_poses) offer(other);
+  }
+  std::sort(all.begin(), all.end(), [&](const PlaceHypothesis& a, const PlaceHypothesis& b) {
+    const double a_score = a.pose->score(), b_score = b.pose->score();
+    if (a_score != b_score) return a_score > b_score;
+    return reports[a.report].id < reports[b.report].id;
+  });
+  std::vector<PlaceHypothesis> kept;
+  for (PlaceHypothesis& hypothesis : all) {
+    if (kept.size() == options.max_hypotheses) break;
+    const KeyframeId id = reports[hypothesis.report].id;
+    hypothesis.info = info_of(bag, id, 0);
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const PlaceHypothesis& better) {
+      return same_place(better, reports[better.report].id, hypothesis, id, options);
+    });
+    if (!known) kept.push_back(std::move(hypothesis));
+  }
+  return kept;
+}
+
+/// Judges the best poses again by the places around them, and names the rivals among these. Writes
+/// into the reports whose own pose was judged.
+template <typename Bag, typename Reports>
+void judge_places(const Bag& bag, const typename Bag::Graph& query,
+                  const RecognitionOptions& options, Reports& reports) {
+  auto hypotheses = place_hypotheses(bag, reports, options.place);
+  for (PlaceHypothesis& hypothesis : hypotheses) {
+    auto& report = reports[hypothesis.report];
+    const auto candidate = bag.find(report.id);
+    const auto place =
+        place_graph(bag, report.id, *candidate, query, hypothesis.pose->T_candidate_query,
+                    options.retrieval, options.matching, options.place);
+    const auto judged =
+        judge_pose(place, query, hypothesis.pose->T_candidate_query, options.matching);
+    // A place in which too few objects agree speaks as clearly against the pose as it can.
+    const double place_support = judged ? judged->support() : -options.place.no_agreement_cost;
+    hypothesis.support = 0.5 * (hypothesis.support + place_support);
+    if (hypothesis.pose == &*report.pose) report.place_support = place_support;
+  }
+  for (const PlaceHypothesis& hypothesis : hypotheses) {
+    auto& report = reports[hypothesis.report];
+    if (hypothesis.pose != &*report.pose) continue;
+    for (const PlaceHypothesis& other : hypotheses) {
+      const bool elsewhere = other.report != hypothesis.report;  // else told by `other_poses`
+      if (!elsewhere || other.support <= hypothesis.support - options.decision.min_lead) continue;
+      if (report.rival && report.rival->support >= other.support) continue;
+      report.rival = RivalPlace{reports[other.report].id, other.support};
+    }
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag
