@@ -41,11 +41,13 @@ Json candidate_json(const topobag::CandidateExplanation& candidate) {
             {"verdict", to_string(candidate.verdict)},
             {"similarity", candidate.similarity},
             {"confidence", or_null(candidate.confidence)},
+            {"place_support", or_null(candidate.place_support)},
             {"complete", candidate.complete},
             {"stages", Json::array()},
             {"matched", Json::array()},
             {"missing", Json::array()},
             {"changes", Json::array()}};
+  if (candidate.rival) json["rival_map_idx"] = topobag::value(candidate.rival->id);
   for (const auto& stage : candidate.stages) json["stages"].push_back(stage_json(stage));
   for (const auto& match : candidate.matched) {
     json["matched"].push_back({{"candidate", match.candidate_class},

@@ -24,11 +24,19 @@ topobag::RecognitionOptions table_recognition_options() {
   return options;
 }
 
+/// What a front end knows of a key frame of its map.
+topobag::EntryInfo info_of(const Keyframe& keyframe) {
+  topobag::EntryInfo info;
+  info.stamp = keyframe.timestamp;
+  info.T_world_camera = keyframe.T_world_camera;
+  return info;
+}
+
 topobag::Relocalizer<> relocalizer_of(const std::vector<Keyframe>& map) {
   topobag::Relocalizer<> relocalizer(table_recognition_options());
   for (std::size_t i = 0; i < map.size(); ++i) {
     if (!map[i].graph.is_matchable()) continue;
-    relocalizer.map().add(topobag::KeyframeId{i}, map[i].graph);
+    relocalizer.map().add(topobag::KeyframeId{i}, map[i].graph, info_of(map[i]));
   }
   return relocalizer;
 }
@@ -86,8 +94,11 @@ topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t inde
       topobag::explain(recognition, relocalizer_of(run.map).map(), run.queries[index].graph,
                        topobag::ClassCatalog::coco80(), table_recognition_options());
   for (topobag::CandidateExplanation& candidate : explanation.candidates) {
-    const auto frame = run.map[topobag::value(candidate.id)].idx;
-    candidate.id = topobag::KeyframeId{static_cast<std::uint64_t>(frame)};
+    const auto frame_of = [&](topobag::KeyframeId id) {
+      return topobag::KeyframeId{static_cast<std::uint64_t>(run.map[topobag::value(id)].idx)};
+    };
+    candidate.id = frame_of(candidate.id);
+    if (candidate.rival) candidate.rival->id = frame_of(candidate.rival->id);
   }
   return explanation;
 }
@@ -99,9 +110,7 @@ void look_up_earlier(RecognitionRun& run, double min_gap) {
     const Keyframe& query = run.queries[i];
     run.look_ups.push_back(timed([&] { return loops.detect(query.timestamp, query.graph); }));
     if (!query.graph.is_matchable()) continue;
-    topobag::EntryInfo info;
-    info.stamp = query.timestamp;
-    loops.bag().add(topobag::KeyframeId{i}, query.graph, std::move(info));
+    loops.bag().add(topobag::KeyframeId{i}, query.graph, info_of(query));
   }
 }
 
@@ -112,7 +121,7 @@ void verify(RecognitionRun& run, const std::vector<std::vector<topobag::Candidat
   for (std::size_t i = 0; i < run.queries.size(); ++i) {
     run.look_ups.push_back(timed([&] {
       return topobag::verify_candidates(relocalizer.map(), run.queries[i].graph, candidates[i],
-                                        options.matching, options.decision);
+                                        options);
     }));
   }
 }

@@ -34,9 +34,7 @@ ClassColors colors_of(const topobag::TopologyGraph<>& a, const topobag::Topology
 std::optional<std::size_t> best_look_up(const RecognitionRun& run) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    const auto score = [&](std::size_t k) {
-      return run.look_ups[k].recognition.accepted->pose->score();
-    };
+    const auto score = [&](std::size_t k) { return run.look_ups[k].recognition.accepted->score(); };
     if (run.look_ups[i].recognition && (!best || score(i) > score(*best))) best = i;
   }
   return best;
@@ -48,7 +46,7 @@ std::string title_of(const RecognitionRun& run, const topobag::CandidateReport& 
   out << name_of(run.query_set) << " in " << name_of(run.map_set) << ": ";
   if (report.pose) {
     out << report.pose->inliers.size() << " objects agree, score " << std::fixed
-        << std::setprecision(2) << report.pose->score();
+        << std::setprecision(2) << report.score();
   }
   if (report.pose && report.verdict != topobag::Verdict::accepted) out << ", ";
   if (report.verdict != topobag::Verdict::accepted) out << to_string(report.verdict);

@@ -40,7 +40,7 @@ Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCa
   for (const auto& [label, count] : match.matched) objects[catalog.name(label)] = count;
   Json json{{"query_idx", run.queries[i].idx},
             {"map_idx", run.map[topobag::value(match.id)].idx},
-            {"score", match.pose->score()},
+            {"score", match.score()},
             {"matched", objects},
             {"pose_candidate_query", pose_numbers(match.pose->T_candidate_query)}};
   if (look_up.error) {
@@ -189,10 +189,10 @@ std::string to_lines(const RecognitionRun& run) {
     const Keyframe& candidate = run.map[topobag::value(best.id)];
     out << to_string(best.verdict);
     if (best.pose) {
-      out << std::setprecision(2) << ", map idx " << candidate.idx << ", score "
-          << best.pose->score() << " of " << best.threshold << ", "
-          << count_text(best.matched, catalog)
+      out << std::setprecision(2) << ", map idx " << candidate.idx << ", score " << best.score()
+          << " of " << best.threshold << ", " << count_text(best.matched, catalog)
           << missing_text(best, candidate.graph, query.graph, catalog);
+      if (best.rival) out << "; as well: map idx " << run.map[topobag::value(best.rival->id)].idx;
     }
     if (look_up.error) {
       out << "; off by " << look_up.error->translation_m << " m, " << std::setprecision(1)

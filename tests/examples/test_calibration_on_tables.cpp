@@ -101,7 +101,7 @@ TEST_CASE("a false-accept rate of 1 % that is asked for is one of at most 2 % me
           here_plain.add(bool(relocalizer.localize(graph)));
         }
       }
-      std::cout << run.map << ", " << window << " s: threshold " << calibrated.decision.threshold()
+      std::cout << run.map << ", " << window << " s: threshold " << calibrated.decision.threshold(1)
                 << ", accepted: other places " << here_real << ", permuted " << here_permuted
                 << ", same place " << here_kept << ", by default " << here_plain << '\n';
       for (const auto& [all, here] : {std::pair<Count*, Count*>{&real, &here_real},

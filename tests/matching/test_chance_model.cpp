@@ -120,7 +120,7 @@ TEST_CASE("a pair of two classes of one group costs its relabelling", "[matching
 }
 
 TEST_CASE("the Bayes factor, worked out by hand", "[matching]") {
-  // Four corners of a tetrahedron; each r.m.s. distance from the centroid is √3, the extent 2 √3.
+  // Four corners of a tetrahedron: their variance is 1 along any axis, the sides of the area √12.
   const std::vector<Eigen::Vector3d> corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   const double variance = 0.01;  // of a residual
   const Eigen::Matrix3d half = 0.5 * variance * Eigen::Matrix3d::Identity();
@@ -128,13 +128,30 @@ TEST_CASE("the Bayes factor, worked out by hand", "[matching]") {
   for (const auto& corner : corners) points.push_back({corner, corner, half, half});
   const RefinedPose pose = refine_pose(Eigen::Isometry3d::Identity(), points);
 
-  const double pi = std::acos(-1.0), volume = 1.5 * std::pow(2.0 * std::sqrt(3.0), 3.0);
+  const double pi = std::acos(-1.0), area = 1.5 * 12.0;
   const double density = std::pow(2.0 * pi * variance, -1.5);
   // Translation: variance / 4 per axis; rotation: Σ over corners of y² + z² = 8, variance / 8.
   const double posterior =
       std::pow(2.0 * pi, 3.0) * std::pow(variance / 4.0, 1.5) * std::pow(variance / 8.0, 1.5);
-  const double factor = std::pow(volume * density, 4.0) * posterior / (volume * 8.0 * pi * pi);
-  CHECK(ChanceModel{}.log10_bayes_factor(points, pose) == Approx(std::log10(factor)));
+  // Chance: anywhere on the area, heights about a plane that it may lift and tilt as it likes.
+  const double height = variance + 0.15 * 0.15;
+  const double plane = std::pow(2.0 * pi * height / 4.0, 1.5);
+  const double factor =
+      std::pow(area * density * std::sqrt(2.0 * pi * height), 4.0) * posterior / (area * 2.0 * pi);
+  CHECK(ChanceModel{}.log10_bayes_factor(points, pose) == Approx(std::log10(factor / plane)));
+
+  // With gravity the tilt is known to 0.02 rad, and chance may lift alone. The rotation about the
+  // two level axes: 8 / variance and 1 / 0.0004.
+  const SharedVertical vertical{Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitY(), 0.0004};
+  const RefinedPose level =
+      refine_pose(Eigen::Isometry3d::Identity(), points, RefineOptions{}, vertical);
+  const double level_posterior = std::pow(2.0 * pi, 3.0) * std::pow(variance / 4.0, 1.5) *
+                                 std::sqrt(variance / 8.0) / (8.0 / variance + 1.0 / 0.0004);
+  const double level_factor = std::pow(area * density * std::sqrt(2.0 * pi * height), 4.0) *
+                              level_posterior / (area * 2.0 * pi * 2.0 * pi * 0.0004) /
+                              std::sqrt(2.0 * pi * height / 4.0);
+  CHECK(ChanceModel{}.log10_bayes_factor(points, level, vertical) ==
+        Approx(std::log10(level_factor)));
 }
 
 TEST_CASE("the size factor, worked out by hand", "[matching]") {

@@ -119,21 +119,31 @@ TEST_CASE("an unknown size pairs with any", "[matching]") {
   CHECK(ConsistencyGraph(TopologyGraph<>({unknown}), small, {}).pairs().size() == 1);
 }
 
-TEST_CASE("beyond max_pairs the classes with the most pairs are left out", "[matching]") {
+TEST_CASE("beyond max_pairs rare classes stay whole and common ones keep the most alike",
+          "[matching][regression]") {
   std::vector<SemanticNode<>> nodes;
-  for (int i = 0; i < 6; ++i) nodes.push_back(object_at(i < 4 ? 1 : 2, {0.3 * i, 0, 3}));
+  for (int i = 0; i < 6; ++i) {
+    nodes.push_back(object_at(i < 4 ? 1 : 2, {0.3 * i, 0, 3}));
+    nodes.back().size *= 1.0 + 0.1 * i;
+  }
   const TopologyGraph<> graph(nodes);  // 16 pairs of class 1, 4 of class 2
   ConsistencyOptions options;
   options.max_pairs = 20;
   CHECK(ConsistencyGraph(graph, graph, options).pairs().size() == 20);
   CHECK(ConsistencyGraph(graph, graph, options).complete());
-  for (const std::size_t max_pairs : {19U, 4U}) {
+  for (const std::size_t max_pairs : {18U, 8U, 4U}) {
     options.max_pairs = max_pairs;
     const ConsistencyGraph cut(graph, graph, options);
     CHECK_FALSE(cut.complete());
-    CHECK(cut.pairs().size() == 4);
+    CHECK(cut.pairs().size() == max_pairs);
+    CHECK(std::is_sorted(cut.pairs().begin(), cut.pairs().end()));
+    const auto of_rare = [&](const Correspondence& pair) {
+      return graph.node(pair.query).label == ClassId{2};
+    };
+    CHECK(std::count_if(cut.pairs().begin(), cut.pairs().end(), of_rare) == 4);
+    // The two of the common class whose sizes differ most, 1 and 1.3, are the first to go.
     for (const Correspondence& pair : cut.pairs()) {
-      CHECK(graph.node(pair.query).label == ClassId{2});
+      CHECK_FALSE((value(pair.query) == 0 && value(pair.candidate) == 3));
     }
   }
 }

@@ -115,7 +115,7 @@ TEST_CASE("what was expected and is missing is named, with its place and why", "
   REQUIRE(candidate.changes.size() == 1);
   CHECK(candidate.changes[0].class_name == "keyboard");
   CHECK(candidate.changes[0].change.kind == ChangeKind::gone);
-  CHECK(stage(candidate, "score").value == found.accepted->pose->score());
+  CHECK(stage(candidate, "score").value == found.accepted->score());
   CHECK(to_string(explanation).find("matched class 999") != std::string::npos);
 }
 

@@ -118,10 +118,10 @@ TEST_CASE("a match below the asked score may be chance", "[recognition]") {
   const TopologyGraph<> graph = SyntheticRoom(5, 8, 8).seen_from(origin);
   BagOfTopologyGraphs<> bag;
   bag.add(KeyframeId{0}, graph);
-  DecisionOptions strict;
-  strict.min_score = 1e6;
+  RecognitionOptions strict;
+  strict.decision.min_score = 1e6;
   const Recognition recognition =
-      verify_candidates(bag, graph, {{KeyframeId{0}, 1.0}}, MatchOptions{}, strict);
+      verify_candidates(bag, graph, {{KeyframeId{0}, 1.0}}, strict);
   REQUIRE(recognition.candidates.size() == 1);
   CHECK(recognition.candidates[0].verdict == Verdict::chance);
   CHECK(recognition.candidates[0].threshold == 1e6);
@@ -165,9 +165,9 @@ RelativePose pose_with(double score, bool degenerate, const Eigen::Isometry3d& T
 Verdict verdict_on(std::vector<RelativePose> poses) {
   DecisionOptions options;
   options.min_score = 1.0;
-  detail::prefer_determined(poses, options.min_score);
+  detail::prefer_determined(poses, *options.min_score);
   CandidateReport report;
-  report.threshold = options.min_score;
+  report.threshold = *options.min_score;
   report.pose = poses.front();
   report.other_poses.assign(poses.begin() + 1, poses.end());
   return detail::judge_candidate(report, options);

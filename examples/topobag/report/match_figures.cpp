@@ -22,7 +22,7 @@ Figure match_figure(const RecognitionRun& run, std::size_t i, std::string id, st
   figure.caption = "Query frame " + std::to_string(run.queries[i].idx) + " in map frame " +
                    std::to_string(run.map[topobag::value(match.id)].idx) + ": " +
                    std::to_string(match.pose->inliers.size()) + " objects agree, score " +
-                   fixed_text(match.pose->score(), 2) + " of " + fixed_text(match.threshold, 2) +
+                   fixed_text(match.score(), 2) + " of " + fixed_text(match.threshold, 2) +
                    " asked for, similarity " + fixed_text(match.similarity, 2) + ". ";
   figure.caption += look_up.error
                         ? "Off the true pose by " + fixed_text(look_up.error->translation_m, 2) +

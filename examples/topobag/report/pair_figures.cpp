@@ -35,7 +35,7 @@ DataTable pair_table(const RecognitionRun& run, const KnownPlaces* places) {
     for (const topobag::CandidateReport& candidate : run.look_ups[i].recognition.candidates) {
       const std::size_t id = topobag::value(candidate.id);
       Json row = Json::array({i, id, run.queries[i].idx, run.map[id].idx, candidate.similarity});
-      row.push_back(candidate.pose ? Json(candidate.pose->score()) : Json());
+      row.push_back(candidate.pose ? Json(candidate.score()) : Json());
       row.push_back(candidate.pose ? candidate.pose->inliers.size() : 0);
       row.push_back(to_string(candidate.verdict));
       if (places != nullptr) {
@@ -62,7 +62,7 @@ std::vector<Figure> pair_score_figures(const RecognitionRun& run, const KnownPla
                                candidate.similarity};
       similarities.push_back(pair);
       if (!candidate.pose) continue;
-      pair.score = candidate.pose->score();
+      pair.score = candidate.score();
       scores.push_back(pair);
     }
   }
@@ -87,7 +87,7 @@ std::vector<Figure> matrix_figures(const RecognitionRun& run, const KnownPlaces*
       const std::size_t id = topobag::value(candidate.id);
       ++pairs_tried;
       similarities.add(i, id, candidate.similarity);
-      if (candidate.pose) scores.add(i, id, candidate.pose->score());
+      if (candidate.pose) scores.add(i, id, candidate.score());
       if (!with_hints) continue;
       const std::string hint = pair_hint(candidate, i, places);
       similarities.hint(i, id, hint);
@@ -114,9 +114,10 @@ std::vector<Figure> matrix_figures(const RecognitionRun& run, const KnownPlaces*
 
 Figure verdict_figure(const RecognitionRun& run) {
   Figure figure{"verdicts", "How far the best candidate of each query came", "", ""};
-  const std::array<const char*, 5> names{"no agreement", "degenerate", "chance", "ambiguous",
-                                         "accepted"};
-  std::array<std::size_t, 5> counts{};
+  const std::array<const char*, 6> names{"no agreement", "degenerate",    "chance",
+                                         "ambiguous",    "another place", "accepted"};
+  const std::size_t accepted_bar = names.size() - 1;
+  std::array<std::size_t, 6> counts{};
   std::size_t without = 0;
   for (const LookUp& look_up : run.look_ups) {
     if (!look_up.is_query()) {
@@ -126,9 +127,9 @@ Figure verdict_figure(const RecognitionRun& run) {
     const auto& best = look_up.recognition.accepted ? *look_up.recognition.accepted
                                                     : look_up.recognition.candidates.front();
     const bool accepted = best.verdict == topobag::Verdict::accepted;
-    ++counts[accepted ? 4 : static_cast<std::size_t>(best.verdict)];
+    ++counts[accepted ? accepted_bar : static_cast<std::size_t>(best.verdict)];
   }
-  PlotAxis x{"stage", 0.0, 5.0, {}};
+  PlotAxis x{"stage", 0.0, static_cast<double>(names.size()), {}};
   for (std::size_t i = 0; i < names.size(); ++i) {
     x.ticks.push_back({static_cast<double>(i) + 0.5, names[i]});
   }
@@ -138,7 +139,8 @@ Figure verdict_figure(const RecognitionRun& run) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto at = static_cast<double>(i);
     plot.bar({at + 0.12, 0.0}, {at + 0.88, static_cast<double>(counts[i])},
-             i == 4 ? "correct" : "nothing", std::to_string(counts[i]) + " queries: " + names[i]);
+             i == accepted_bar ? "correct" : "nothing",
+             std::to_string(counts[i]) + " queries: " + names[i]);
     figure.table.rows.push_back(Json::array({names[i], counts[i]}));
     figure.caption += std::string(names[i]) + ' ' + std::to_string(counts[i]) + ", ";
   }

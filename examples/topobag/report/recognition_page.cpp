@@ -65,7 +65,7 @@ std::vector<QueryOutcome> RecognitionPage::outcomes() const {
     if (places_) query.place = nearest_true_place(*places_, i);
     if (const auto& match = look_up.recognition.accepted) {
       query.answer = topobag::value(match->id);
-      query.score = match->pose->score();
+      query.score = match->score();
       query.outcome = look_up.verdict ? outcome_of(*look_up.verdict) : Outcome::unscored;
     } else {
       query.outcome = query.place ? Outcome::missed : Outcome::nothing;

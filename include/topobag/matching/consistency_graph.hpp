@@ -28,7 +28,7 @@ struct ConsistencyOptions {
   double deviations = 2.5;      ///< standard deviations that two distances may differ by
   double min_tolerance = 0.05;  ///< m, whatever the covariances say
   double max_tolerance = 0.40;  ///< m
-  std::size_t max_pairs = 512;  ///< beyond it the pairs whose sizes differ most are left out
+  std::size_t max_pairs = 512;  ///< beyond it classes with many keep the most alike
 };
 
 /// The same-class node pairs of two graphs, and which of them agree: pairs (p, q), (p', q') of
@@ -96,7 +96,7 @@ class ConsistencyGraph {
                                                 const ConsistencyOptions& options, bool& complete) {
     auto pairs = detail::offered_pairs(candidate, query, options.classes, options.max_size_ratio);
     complete = pairs.size() <= options.max_pairs;
-    if (!complete) detail::keep_most_alike(pairs, candidate, query, options.max_pairs);
+    if (!complete) detail::keep_telling(pairs, candidate, query, options.max_pairs);
     return pairs;
   }
 

@@ -54,7 +54,7 @@ std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOpt
                     matching.min_spread, true, " m"});
   stages.push_back({"deviation of the rotation", deviation <= matching.max_rotation_deviation,
                     deviation, matching.max_rotation_deviation, false, " rad"});
-  stages.push_back({"score", report.margin() >= 0.0, pose.score(), report.threshold, true, {}});
+  stages.push_back({"score", report.margin() >= 0.0, report.score(), report.threshold, true, {}});
   const double min_lead = options.decision.min_lead;
   const RelativePose* nearest = nullptr;  // of the other poses: a rival, or the best supported
   bool rival = false;
@@ -72,6 +72,14 @@ std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOpt
     stages.push_back({"support over other poses",
                       !rival,
                       pose.support() - nearest->support(),
+                      min_lead,
+                      true,
+                      {}});
+  }
+  if (report.rival) {
+    stages.push_back({"support over another place",
+                      false,
+                      report.support() - report.rival->support,
                       min_lead,
                       true,
                       {}});
@@ -105,6 +113,8 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   explanation.similarity = report.similarity;
   explanation.confidence = report.confidence;
   explanation.complete = report.complete;
+  explanation.place_support = report.place_support;
+  explanation.rival = report.rival;
   explanation.stages = detail::stages_of(report, options, best_margin);
   if (!report.pose) return explanation;
   const RelativePose& pose = *report.pose;

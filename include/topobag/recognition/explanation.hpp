@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <topobag/recognition/changes.hpp>
+#include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -64,6 +65,8 @@ struct CandidateExplanation {
   Verdict verdict = Verdict::no_agreement;  ///< how far it came
   double similarity = 0.0;                  ///< of the retrieval
   std::optional<double> confidence;         ///< P(true), when the decision is calibrated
+  std::optional<double> place_support;      ///< of the pose by the place around the candidate
+  std::optional<RivalPlace> rival;          ///< the other place that fits about as well
   bool complete = true;                     ///< false when a budget ended the search for poses
   std::vector<ExplainedStage> stages;       ///< in the order in which they are asked
   std::vector<ExplainedMatch> matched;      ///< under the pose that was judged
@@ -104,6 +107,12 @@ inline std::string to_string(const CandidateExplanation& candidate) {
         << stage.unit;
     if (!stage.passed) out << ", missed by " << stage.missed_by() << stage.unit;
     out << '\n';
+  }
+  if (candidate.place_support) {
+    out << "  the place around it supports the pose with " << *candidate.place_support << '\n';
+  }
+  if (candidate.rival) {
+    out << "  another place fits about as well: key frame " << value(candidate.rival->id) << '\n';
   }
   for (const ExplainedMatch& match : candidate.matched) {
     out << "  matched " << match.candidate_class;

@@ -54,7 +54,8 @@ struct CandidateReport {
 /// The answer to "have I been here, and where exactly?", with the reasons.
 struct Recognition {
   std::optional<CandidateReport> accepted;  ///< at most one
-  std::vector<CandidateReport> candidates;  ///< all that were tried, best score first
+  std::vector<CandidateReport> candidates;  ///< all that were tried: those whose place was asked,
+                                            ///< then the others, each best score first
   bool usable = false;                      ///< the query graph has three nodes with a position
   std::size_t places = 0;                   ///< of the map that were asked
 

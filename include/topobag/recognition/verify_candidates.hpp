@@ -106,7 +106,7 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
   detail::judge_places(bag, query, options, reports);
   for (CandidateReport& report : reports) {
     report.verdict = detail::judge_candidate(report, options.decision);
-    // Poses that were not judged by their place are of a better one's place, or not worth it.
+    // A pose that was not judged by its place is of a better one's, or of none among the best.
     const bool passed = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled;
     if (passed && !report.place_support) report.verdict = Verdict::outdone;
     // A calibration knows the scores of matches with one clear pose, and says nothing of others.
@@ -116,6 +116,8 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
     }
   }
   std::sort(reports.begin(), reports.end(), [](const CandidateReport& a, const CandidateReport& b) {
+    const bool a_judged = a.place_support.has_value(), b_judged = b.place_support.has_value();
+    if (a_judged != b_judged) return a_judged;
     if (a.margin() != b.margin()) return a.margin() > b.margin();
     return a.id < b.id;
   });
@@ -125,6 +127,11 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
       report.verdict = Verdict::outdone;
     } else {
       recognition.accepted = report;
+    }
+  }
+  if (!recognition.accepted) {
+    for (CandidateReport& report : reports) {
+      if (report.verdict == Verdict::outdone) report.verdict = Verdict::chance;
     }
   }
   return recognition;

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <utility>
+#include <map>
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
@@ -51,23 +49,38 @@ std::vector<Correspondence> offered_pairs(const TopologyGraph<Scalar>& candidate
   return pairs;
 }
 
-/// Leaves the `count` pairs whose sizes differ least, ties by their order, which stays.
-/// O(n log n).
+/// Leaves `count` pairs: the classes with the fewest pairs whole as far as they fit, and of the
+/// others the pairs whose sizes differ least. Their order stays; ties go by it. O(n log n).
 template <typename Scalar>
-void keep_most_alike(std::vector<Correspondence>& pairs, const TopologyGraph<Scalar>& candidate,
-                     const TopologyGraph<Scalar>& query, std::size_t count) {
-  std::vector<std::pair<double, Correspondence>> alike;
-  alike.reserve(pairs.size());
-  for (const Correspondence& pair : pairs) {
-    alike.emplace_back(size_ratio(candidate.node(pair.candidate), query.node(pair.query)), pair);
+void keep_telling(std::vector<Correspondence>& pairs, const TopologyGraph<Scalar>& candidate,
+                  const TopologyGraph<Scalar>& query, std::size_t count) {
+  std::map<ClassId, std::size_t> pairs_of_class;
+  for (const Correspondence& pair : pairs) ++pairs_of_class[query.node(pair.query).label];
+  std::vector<std::size_t> counts;
+  for (const auto& [label, of_class] : pairs_of_class) counts.push_back(of_class);
+  std::sort(counts.begin(), counts.end());
+  std::size_t total = 0, largest_whole = 0;
+  for (const std::size_t of_class : counts) {
+    if ((total += of_class) > count) break;
+    largest_whole = of_class;
   }
-  const auto in_order = [](const auto& l, const auto& r) { return l.second < r.second; };
-  std::stable_sort(alike.begin(), alike.end(),
-                   [](const auto& l, const auto& r) { return l.first < r.first; });
-  alike.resize(std::min(count, alike.size()));
-  std::sort(alike.begin(), alike.end(), in_order);
+  struct Ranked {
+    double rank;  // 0 for a class that stays whole, else the ratio of the sizes
+    Correspondence pair;
+  };
+  std::vector<Ranked> ranked;
+  ranked.reserve(pairs.size());
+  for (const Correspondence& pair : pairs) {
+    const bool whole = pairs_of_class[query.node(pair.query).label] <= largest_whole;
+    ranked.push_back(
+        {whole ? 0.0 : size_ratio(candidate.node(pair.candidate), query.node(pair.query)), pair});
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Ranked& l, const Ranked& r) { return l.rank < r.rank; });
+  ranked.resize(std::min(count, ranked.size()));
   pairs.clear();
-  for (const auto& [ratio, pair] : alike) pairs.push_back(pair);
+  for (const Ranked& kept : ranked) pairs.push_back(kept.pair);
+  std::sort(pairs.begin(), pairs.end());
 }
 
 }  // namespace detail

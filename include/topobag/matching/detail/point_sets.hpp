@@ -15,8 +15,7 @@ namespace detail {
 struct PointSets {
   /// @param points  a vector of `PointPair`
   template <typename Points>
-  explicit PointSets(const Points& points)
-      : weights(static_cast<Eigen::Index>(points.size())) {
+  explicit PointSets(const Points& points) : weights(static_cast<Eigen::Index>(points.size())) {
     target.resize(3, weights.size());
     source.resize(3, weights.size());
     for (Eigen::Index i = 0; i < weights.size(); ++i) {
