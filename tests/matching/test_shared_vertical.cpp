@@ -3,13 +3,13 @@
 #include <optional>
 #include <random>
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/matching/shared_vertical.hpp>
 
-#include "matching/layouts.hpp"
+#include "layouts.hpp"
 
 using namespace topobag;
 

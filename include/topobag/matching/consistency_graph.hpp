@@ -28,7 +28,7 @@ struct ConsistencyOptions {
   double deviations = 2.5;      ///< standard deviations that two distances may differ by
   double min_tolerance = 0.05;  ///< m, whatever the covariances say
   double max_tolerance = 0.40;  ///< m
-  std::size_t max_pairs = 512;  ///< beyond it classes with many keep the most alike
+  std::size_t max_pairs = 160;  ///< beyond it classes with many keep the most alike
 };
 
 /// The same-class node pairs of two graphs, and which of them agree: pairs (p, q), (p', q') of

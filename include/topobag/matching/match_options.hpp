@@ -19,7 +19,7 @@ struct MatchOptions {
   MissingObjects missing{};          ///< what absent objects cost
   ViewpointPrior viewpoint{};        ///< how likely a revisit is turned so
   RefineOptions refine{};            ///< the fit over all objects
-  std::size_t max_steps = 20000;     ///< branches of the clique search
+  std::size_t max_steps = 4000;      ///< branches of the clique search
   std::size_t slack = 1;  ///< cliques this much smaller than the largest are tried as well
   std::size_t max_hypotheses =
       64;  ///< cliques whose pose is worked out, largest and tightest first

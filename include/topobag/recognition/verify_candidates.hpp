@@ -11,8 +11,8 @@
 
 #include <topobag/bag/query.hpp>
 #include <topobag/matching/match_graphs.hpp>
-#include <topobag/recognition/place_hypotheses.hpp>
-#include <topobag/recognition/pose_rivals.hpp>
+#include <topobag/recognition/detail/place_hypotheses.hpp>
+#include <topobag/recognition/detail/pose_rivals.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 

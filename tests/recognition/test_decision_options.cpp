@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <topobag/error.hpp>
+#include <topobag/recognition/decision_options.hpp>
+#include <topobag/recognition/recognition_options.hpp>
+#include <topobag/types/class_catalog.hpp>
+
+#include "catch.hpp"
+
+using namespace topobag;
+
+TEST_CASE("ten times the places, or a tenth of the rate, ask for one decade more",
+          "[recognition]") {
+  DecisionOptions options;
+  for (const std::size_t places : {1U, 7U, 300U, 100000U}) {
+    CHECK(options.threshold(10 * places) == Approx(options.threshold(places) + 1.0));
+    DecisionOptions rarer = options;
+    rarer.false_accept_rate = options.false_accept_rate / 10.0;
+    CHECK(rarer.threshold(places) == Approx(options.threshold(places) + 1.0));
+  }
+  CHECK(options.threshold(0) == options.threshold(1));
+}
+
+TEST_CASE("by default one look-up in a thousand may be accepted falsely", "[recognition]") {
+  const DecisionOptions options;
+  CHECK(options.false_accept_rate == 1e-3);
+  // The expected number of false matches, N · 10^−score, less what the model is too careful by.
+  const double score = options.threshold(50);
+  CHECK(50.0 * std::pow(10.0, -score - options.surplus) == Approx(options.false_accept_rate));
+}
+
+TEST_CASE("a score that is asked for goes before the rate", "[recognition]") {
+  DecisionOptions options;
+  options.min_score = 4.5;
+  CHECK(options.threshold(1) == 4.5);
+  CHECK(options.threshold(1000000) == 4.5);
+}
+
+TEST_CASE("a rate outside (0, 1] is refused", "[recognition]") {
+  for (const double rate : {0.0, -0.1, 1.5, std::nan("")}) {
+    DecisionOptions options;
+    options.false_accept_rate = rate;
+    CHECK_THROWS_AS(options.threshold(1), InvalidValue);
+  }
+}
+
+TEST_CASE("the options for a catalog join what detectors mix up", "[recognition]") {
+  const ClassCatalog catalog = ClassCatalog::coco80();
+  const RecognitionOptions options = recognition_options(catalog);
+  CHECK(options.matching.consistency.classes.compatible(*catalog.find("tv"),
+                                                        *catalog.find("laptop")));
+  CHECK_FALSE(RecognitionOptions{}.matching.consistency.classes.compatible(
+      *catalog.find("tv"), *catalog.find("laptop")));
+}

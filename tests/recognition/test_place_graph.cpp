@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/matching/judge_pose.hpp>
+#include <topobag/recognition/place_graph.hpp>
+#include <topobag/recognition/place_options.hpp>
+#include <topobag/recognition/relocalizer.hpp>
+
+#include "catch.hpp"
+#include "synthetic_room.hpp"
+
+using namespace topobag;
+
+namespace {
+
+const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+
+/// Every second object of what a camera sees, beginning with the first or the second.
+TopologyGraph<> half_of(const TopologyGraph<>& graph, std::size_t first) {
+  std::vector<SemanticNode<>> nodes;
+  for (std::size_t i = first; i < graph.size(); i += 2) nodes.push_back(graph.nodes()[i]);
+  return TopologyGraph<>(std::move(nodes));
+}
+
+EntryInfo posed(const Eigen::Isometry3d& T_world_camera) {
+  EntryInfo info;
+  info.T_world_camera = T_world_camera;
+  return info;
+}
+
+}  // namespace
+
+TEST_CASE("a place holds the objects of all key frames around, in the candidate's frame",
+          "[recognition]") {
+  std::mt19937 random(2);
+  const SyntheticRoom room(3, 10, 10);
+  BagOfTopologyGraphs<> bag;
+  const Eigen::Isometry3d a = random_camera(random), b = random_camera(random);
+  bag.add(KeyframeId{1}, half_of(room.seen_from(a), 0), posed(a));
+  bag.add(KeyframeId{2}, half_of(room.seen_from(b), 1), posed(b));
+  const Eigen::Isometry3d q = random_camera(random);
+  const TopologyGraph<> query = room.seen_from(q), candidate = *bag.find(KeyframeId{1});
+  const TopologyGraph<> place = place_graph(bag, KeyframeId{1}, candidate, query, a.inverse() * q);
+  REQUIRE(place.size() == 10);
+  const TopologyGraph<> whole = room.seen_from(a);
+  for (const auto& node : whole.nodes()) {
+    bool there = false;
+    for (const auto& other : place.nodes()) {
+      there =
+          there || (other.label == node.label && (*other.position - *node.position).norm() < 1e-6);
+    }
+    CHECK(there);
+  }
+}
+
+TEST_CASE("what the query does not look at is no part of its place", "[recognition]") {
+  SemanticNode<> near, far;
+  near.label = ClassId{1};
+  near.position = Eigen::Vector3d(0, 0, 3);
+  near.size = {0.2, 0.2};
+  far = near;
+  far.position = Eigen::Vector3d(2.5, 0, 3);
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{1}, TopologyGraph<>({near, far}), posed(origin));
+  bag.add(KeyframeId{2}, TopologyGraph<>({near, far}), posed(origin));
+  const TopologyGraph<> query({near});
+  const TopologyGraph<> place =
+      place_graph(bag, KeyframeId{1}, *bag.find(KeyframeId{1}), query, origin);
+  REQUIRE(place.size() == 1);
+  CHECK((*place.nodes()[0].position - *near.position).norm() < 1e-9);
+}
+
+TEST_CASE("key frames far away, or not admitted, are no part of a place", "[recognition]") {
+  const SyntheticRoom room(3, 10, 10);
+  const TopologyGraph<> seen = room.seen_from(origin);
+  BagOfTopologyGraphs<> bag;
+  bag.add(KeyframeId{1}, half_of(seen, 0), posed(origin));
+  bag.add(KeyframeId{2}, half_of(seen, 1), posed(Eigen::Isometry3d(Eigen::Translation3d(9, 0, 0))));
+  bag.add(KeyframeId{3}, half_of(seen, 1), posed(origin));
+  QueryOptions only_first_two;
+  only_first_two.among.max_id = KeyframeId{2};
+  const TopologyGraph<> candidate = *bag.find(KeyframeId{1});
+  CHECK(place_graph(bag, KeyframeId{1}, candidate, seen, origin, only_first_two).size() == 5);
+  CHECK(place_graph(bag, KeyframeId{1}, candidate, seen, origin).size() == 10);
+}
+
+TEST_CASE("without poses the neighbours by id are placed by matching them", "[recognition]") {
+  std::mt19937 random(4);
+  const SyntheticRoom room(5, 12, 12);
+  BagOfTopologyGraphs<> bag;
+  const Eigen::Isometry3d a = random_camera(random), b = random_camera(random);
+  std::vector<SemanticNode<>> first = room.seen_from(a).nodes();
+  const SemanticNode<> unseen = first.back();
+  first.pop_back();
+  bag.add(KeyframeId{10}, TopologyGraph<>(first));
+  bag.add(KeyframeId{11}, room.seen_from(b));
+  const TopologyGraph<> candidate = *bag.find(KeyframeId{10});
+  const TopologyGraph<> place =
+      place_graph(bag, KeyframeId{10}, candidate, room.seen_from(a), origin);
+  REQUIRE(place.size() == 12);
+  bool there = false;
+  for (const auto& node : place.nodes()) {
+    there =
+        there || (node.label == unseen.label && (*node.position - *unseen.position).norm() < 0.05);
+  }
+  CHECK(there);
+}
+
+TEST_CASE("another place that fits as well refuses a match, and is named", "[recognition]") {
+  const SyntheticRoom room(6, 9, 5);
+  const TopologyGraph<> seen = room.seen_from(origin);
+  const auto look_up = [&](const Eigen::Isometry3d& T_second) {
+    Relocalizer<> relocalizer;
+    relocalizer.map().add(KeyframeId{1}, seen, posed(origin));
+    relocalizer.map().add(KeyframeId{2}, seen, posed(T_second));
+    return relocalizer.localize(seen);
+  };
+  const Recognition twins = look_up(Eigen::Isometry3d(Eigen::Translation3d(50, 0, 0)));
+  CHECK_FALSE(twins);
+  REQUIRE(twins.candidates.size() == 2);
+  CHECK(twins.candidates[0].verdict == Verdict::rivalled);
+  REQUIRE(twins.candidates[0].rival);
+  CHECK(twins.candidates[0].rival->id == twins.candidates[1].id);
+  CHECK(twins.places == 2);
+  CHECK(look_up(origin));  // the same place twice is no rival
+}
+
+TEST_CASE("without poses ids far apart are rivals, neighbours and loops of one session are not",
+          "[recognition]") {
+  const SyntheticRoom room(6, 9, 5);
+  const TopologyGraph<> seen = room.seen_from(origin);
+  const auto accepted = [&](std::uint64_t second, std::uint32_t session) {
+    Relocalizer<> relocalizer;
+    relocalizer.map().add(KeyframeId{1}, seen);
+    EntryInfo info;
+    info.session = session;
+    relocalizer.map().add(KeyframeId{second}, seen, info);
+    return static_cast<bool>(relocalizer.localize(seen));
+  };
+  CHECK(accepted(2, 0));
+  CHECK_FALSE(accepted(1000, 0));
+  CHECK_FALSE(accepted(2, 1));
+}
+
+TEST_CASE("a false match that one graph lets through is refused by its place",
+          "[recognition][regression]") {
+  // The query shows eight objects; one key frame of the map shows three that lie like three of
+  // them, and another one that the other five are not there.
+  const SyntheticRoom room(8, 8, 8);
+  const PinholeCamera<> camera{525, 525, 320, 240, 640, 480};
+  View<> view;
+  view.camera = camera;
+  const TopologyGraph<> all = room.seen_from(origin);
+  const TopologyGraph<> query(all.nodes(), {}, {view});
+  const TopologyGraph<> three({all.nodes()[0], all.nodes()[1], all.nodes()[2]});
+  const auto support = [&](const TopologyGraph<>& beside) {
+    BagOfTopologyGraphs<> bag;
+    bag.add(KeyframeId{1}, three, posed(origin));
+    bag.add(KeyframeId{2}, beside, posed(origin));
+    const TopologyGraph<> place = place_graph(bag, KeyframeId{1}, three, query, origin);
+    return judge_pose(place, query, origin)->support();
+  };
+  CHECK(support(TopologyGraph<>(three.nodes(), {}, {view})) < support(three));
+  CHECK(support(TopologyGraph<>(all.nodes(), {}, {view})) > support(three));
+}
