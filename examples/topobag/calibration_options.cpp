@@ -4,30 +4,45 @@
 #include <iterator>
 #include <utility>
 
+#include <topobag/recognition/calibration_text.hpp>
+
+#include "csv_reader.hpp"
+#include "input_error.hpp"
 #include "number_check.hpp"
 
 namespace program {
 
 void add_calibration_options(CLI::App& command, CalibrationArguments& arguments) {
-  CLI::Option* calibrate = command.add_flag(
-      "--calibrate", arguments.calibrate,
-      "Learn from the map what scores false matches reach, and accept by a false-accept rate");
   command
       .add_option("--false-accept-rate", arguments.false_accept_rate,
                   "Share of look-ups of other places that may be accepted")
       ->check(number_within(1e-12, 1.0))
-      ->needs(calibrate)
       ->capture_default_str();
+  CLI::Option* calibrate = command.add_flag(
+      "--calibrate", arguments.calibrate,
+      "Learn from the map, by its poses where it has them, what scores false matches reach");
   command
       .add_option("--other-place", arguments.other_places,
                   "Table of key frames that are certainly not of the map, to learn from")
       ->needs(calibrate);
+  command.add_option("--save-calibration", arguments.to_save, "File to write what was learnt to")
+      ->needs(calibrate);
+  command.add_option("--calibration", arguments.saved, "File of what was learnt before")
+      ->excludes(calibrate);
 }
 
-std::optional<CalibrationRequest> calibration_request(const CalibrationArguments& arguments,
-                                                      const RecognitionArguments& recognition) {
-  if (!arguments.calibrate) return std::nullopt;
-  CalibrationRequest request{arguments.false_accept_rate, {}};
+CalibrationRequest calibration_request(const CalibrationArguments& arguments,
+                                       const RecognitionArguments& recognition) {
+  CalibrationRequest request;
+  request.false_accept_rate = arguments.false_accept_rate;
+  request.learn = arguments.calibrate;
+  if (!arguments.saved.empty()) {
+    try {
+      request.learnt = topobag::parse_calibration(read_file(arguments.saved));
+    } catch (const topobag::FormatError& error) {
+      throw InputError(arguments.saved, error.what());
+    }
+  }
   KeyframeOptions options = recognition.keyframes;
   options.camera = with_size(options.camera, recognition.image_size);
   for (const std::string& set : arguments.other_places) {
@@ -37,6 +52,11 @@ std::optional<CalibrationRequest> calibration_request(const CalibrationArguments
                                 std::make_move_iterator(keyframes.end()));
   }
   return request;
+}
+
+void save_calibration(const CalibrationArguments& arguments, const RecognitionRun& run) {
+  if (arguments.to_save.empty() || !run.calibrated) return;
+  write_file(arguments.to_save, to_string(run.calibrated->calibration));
 }
 
 }  // namespace program

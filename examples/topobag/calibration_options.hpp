@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,15 +13,21 @@ namespace program {
 
 struct CalibrationArguments {
   bool calibrate = false;
-  double false_accept_rate = 0.01;
+  double false_accept_rate = CalibrationRequest{}.false_accept_rate;
   std::vector<std::string> other_places;  ///< tables
+  std::string saved;                      ///< file of a calibration; empty = none
+  std::string to_save;                    ///< file to write one to; empty = none
 };
 
-/// Adds `--calibrate` and what goes with it.
+/// Adds `--false-accept-rate`, `--calibrate`, `--calibration` and what goes with them.
 void add_calibration_options(CLI::App& command, CalibrationArguments& arguments);
 
-/// What was asked for, with the tables of other places read as the queries are. Throws InputError.
-std::optional<CalibrationRequest> calibration_request(const CalibrationArguments& arguments,
-                                                      const RecognitionArguments& recognition);
+/// What was asked for, with its files read and the tables of other places read as the queries are.
+/// Throws InputError.
+CalibrationRequest calibration_request(const CalibrationArguments& arguments,
+                                       const RecognitionArguments& recognition);
+
+/// Writes what the run learnt where it was asked for. Throws InputError.
+void save_calibration(const CalibrationArguments& arguments, const RecognitionRun& run);
 
 }  // namespace program

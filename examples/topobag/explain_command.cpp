@@ -6,6 +6,7 @@
 #include <string>
 
 #include "calibration_options.hpp"
+#include "calibration_report.hpp"
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "explanation_json.hpp"
@@ -53,13 +54,16 @@ void explain_frame(const ExplainArguments& arguments) {
                                           arguments.recognition.image_size);
   keep_query(run, arguments.frame);
   look_up_in_map(run, calibration_request(arguments.calibration, arguments.recognition));
+  save_calibration(arguments.calibration, run);
   topobag::Explanation explanation = explain_look_up(run, 0);
   if (!arguments.svg.empty()) {
     const auto& shown = shown_candidate(run.look_ups[0].recognition, arguments.frame);
     write_file(arguments.svg, candidate_svg(run, 0, shown));
   }
   if (arguments.json) {
-    std::cout << output_text(to_json(explanation), true);
+    Json json = to_json(explanation);
+    if (run.calibrated) json["calibration"] = calibration_json(*run.calibrated);
+    std::cout << output_text(json, true);
     return;
   }
   const std::size_t all = explanation.candidates.size();
@@ -68,6 +72,7 @@ void explain_frame(const ExplainArguments& arguments) {
   if (all > explanation.candidates.size()) {
     std::cout << "and " << all - explanation.candidates.size() << " more candidates\n";
   }
+  if (run.calibrated) std::cout << calibration_lines(*run.calibrated);
 }
 
 }  // namespace

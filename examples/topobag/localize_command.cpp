@@ -26,6 +26,7 @@ void localize(const LocalizeArguments& arguments) {
   require_order(common.scoring.limits);
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
   look_up_in_map(run, calibration_request(arguments.calibration, common));
+  save_calibration(arguments.calibration, run);
   score(run, common.scoring);
   if (!arguments.svg.empty()) write_file(arguments.svg, match_svg(run));
   write_recognition_report(run, common, arguments.report);

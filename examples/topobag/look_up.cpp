@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include <topobag/recognition/calibrate.hpp>
@@ -49,15 +50,18 @@ LookUp timed(const Recognize& recognize) {
   return {std::move(recognition), watch.milliseconds(), {}, {}};
 }
 
-topobag::Calibration calibration_of(const topobag::Relocalizer<>& relocalizer,
-                                    const RecognitionRun& run,
-                                    const std::vector<Keyframe>& other_places) {
+/// Learns from the map of a run.
+/// @param min_gap  s; a key frame with a pose is not looked up among those nearer in time
+topobag::Calibration learn(const RecognitionRun& run, const std::vector<Keyframe>& other_places,
+                           std::optional<double> min_gap) {
+  const topobag::Relocalizer<> relocalizer = relocalizer_of(run.map);
   std::vector<topobag::KeyframeId> ids;
   for (std::size_t i = 0; i < run.map.size(); ++i) ids.push_back(topobag::KeyframeId{i});
   const auto usable =
       std::count_if(other_places.begin(), other_places.end(),
                     [](const Keyframe& other) { return other.graph.is_matchable(); });
   topobag::CalibrateOptions options;
+  if (min_gap) options.by_pose.min_time_gap = *min_gap;
   if (static_cast<std::size_t>(usable) >= options.calibration.min_negatives) {
     options.null_look_ups = 0;
   }
@@ -65,23 +69,31 @@ topobag::Calibration calibration_of(const topobag::Relocalizer<>& relocalizer,
   const auto open = topobag::without_threshold(relocalizer.options());
   for (const Keyframe& other : other_places) {
     if (!other.graph.is_matchable()) continue;
-    calibration.add_negative(topobag::false_score(relocalizer.localize(other.graph, open)));
+    topobag::add_negative(calibration, relocalizer.localize(other.graph, open));
   }
   return calibration;
 }
 
+/// The program's options with the decision that was asked for, which the run then tells of.
+topobag::RecognitionOptions decided_options(RecognitionRun& run, const CalibrationRequest& request,
+                                            std::optional<double> min_gap = std::nullopt) {
+  topobag::RecognitionOptions options = table_recognition_options();
+  options.decision.false_accept_rate = request.false_accept_rate;
+  run.calibrated.reset();
+  if (request.learnt) {
+    run.calibrated = {request.false_accept_rate, *request.learnt};
+  } else if (request.learn) {
+    run.calibrated = {request.false_accept_rate, learn(run, request.other_places, min_gap)};
+  }
+  if (run.calibrated) options.decision.calibration = run.calibrated->calibration;
+  return options;
+}
+
 }  // namespace
 
-void look_up_in_map(RecognitionRun& run, const std::optional<CalibrationRequest>& request) {
+void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request) {
+  const topobag::RecognitionOptions options = decided_options(run, request);
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run.map);
-  topobag::RecognitionOptions options = relocalizer.options();
-  if (request) {
-    const auto calibration = calibration_of(relocalizer, run, request->other_places);
-    options.decision.false_accept_rate = request->false_accept_rate;
-    run.calibrated = {request->false_accept_rate, calibration.threshold(request->false_accept_rate),
-                      calibration.source(), calibration.look_ups()};
-    options.decision.calibration = calibration;
-  }
   run.look_ups.clear();
   for (const Keyframe& query : run.queries) {
     run.look_ups.push_back(timed([&] { return relocalizer.localize(query.graph, options); }));
@@ -103,8 +115,8 @@ topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t inde
   return explanation;
 }
 
-void look_up_earlier(RecognitionRun& run, double min_gap) {
-  topobag::LoopDetector<> loops({min_gap, table_recognition_options()});
+void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationRequest& request) {
+  topobag::LoopDetector<> loops({min_gap, decided_options(run, request, min_gap)});
   run.look_ups.clear();
   for (std::size_t i = 0; i < run.queries.size(); ++i) {
     const Keyframe& query = run.queries[i];

@@ -4,6 +4,7 @@
 
 #include <topobag/recognition/loop_detector.hpp>
 
+#include "calibration_options.hpp"
 #include "commands.hpp"
 #include "look_up.hpp"
 #include "number_check.hpp"
@@ -18,13 +19,15 @@ struct LoopsArguments {
   double min_gap = topobag::LoopOptions{}.min_gap;  ///< s
   RecognitionArguments recognition;
   RecognitionReportArguments report;
+  CalibrationArguments calibration;
 };
 
 void find_loops(const LoopsArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
   RecognitionRun run = read_sequence(arguments.nodes, common.keyframes, common.image_size);
-  look_up_earlier(run, arguments.min_gap);
+  look_up_earlier(run, arguments.min_gap, calibration_request(arguments.calibration, common));
+  save_calibration(arguments.calibration, run);
   score(run, common.scoring);
   write_recognition_report(run, common, arguments.report, arguments.min_gap);
   print_report(run, common);
@@ -44,6 +47,7 @@ void add_loops_command(CLI::App& app) {
       ->check(number_within(0.0))
       ->capture_default_str();
   add_recognition_options(command, arguments->recognition);
+  add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);
   command.callback([arguments] { find_loops(*arguments); });
 }

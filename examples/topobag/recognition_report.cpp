@@ -9,6 +9,7 @@
 
 #include <topobag/types/class_catalog.hpp>
 
+#include "calibration_report.hpp"
 #include "json_output.hpp"
 
 namespace program {
@@ -49,19 +50,10 @@ Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCa
   }
   if (look_up.verdict) json["verdict"] = to_string(*look_up.verdict);
   if (match.confidence) json["confidence"] = *match.confidence;
+  if (match.confidence && run.calibrated) {
+    json["confidence_extrapolated"] = run.calibrated->calibration.is_extrapolated(match.score());
+  }
   return json;
-}
-
-const char* to_string(topobag::CalibrationSource source) {
-  return source == topobag::CalibrationSource::null_model ? "null model" : "certain negatives";
-}
-
-Json calibration_json(const CalibratedRun& calibrated) {
-  return {{"false_accept_rate", calibrated.false_accept_rate},
-          {"threshold", calibrated.threshold.score},
-          {"extrapolated", calibrated.threshold.extrapolated},
-          {"source", to_string(calibrated.source)},
-          {"look_ups", calibrated.look_ups}};
 }
 
 /// "2 book, 1 tv"
@@ -156,15 +148,7 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
     out << "  median error  " << std::setprecision(3) << *summary.median_translation_error_m
         << " m, " << std::setprecision(1) << *summary.median_rotation_error_deg << "°\n";
   }
-  if (run.calibrated) {
-    const CalibratedRun& calibrated = *run.calibrated;
-    out << "  threshold     " << std::setprecision(2) << calibrated.threshold.score
-        << " for a false-accept rate of " << std::defaultfloat << std::setprecision(6)
-        << calibrated.false_accept_rate
-        << (calibrated.threshold.extrapolated ? ", extrapolated" : "") << " from "
-        << calibrated.look_ups << " look-ups (" << to_string(calibrated.source) << ")\n"
-        << std::fixed;
-  }
+  if (run.calibrated) out << calibration_lines(*run.calibrated);
   if (summary.median_query_ms) {
     out << "  median query  " << std::setprecision(2) << *summary.median_query_ms << " ms\n";
   }

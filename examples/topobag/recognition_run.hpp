@@ -27,12 +27,10 @@ struct LookUp {
   bool is_query() const { return recognition.usable && !recognition.candidates.empty(); }
 };
 
-/// A threshold that was asked for as a false-accept rate.
+/// A decision that errs at a rate, by what was learnt of false matches.
 struct CalibratedRun {
-  double false_accept_rate = 0.01;
-  topobag::ScoreThreshold threshold{};
-  topobag::CalibrationSource source = topobag::CalibrationSource::null_model;
-  std::size_t look_ups = 0;  ///< that it was learnt from
+  double false_accept_rate = 0.0;
+  topobag::Calibration calibration{};
 };
 
 /// Key frames looked up in a map.

@@ -96,6 +96,8 @@
 #include <topobag/bag/snapshot_header.hpp>
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/calibration.hpp>
+#include <topobag/recognition/calibration_text.hpp>
+#include <topobag/recognition/certain_negatives.hpp>
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/decision_options.hpp>
 #include <topobag/recognition/explain.hpp>

@@ -73,30 +73,3 @@ TEST_CASE("a frame that is no key frame is refused with what to do", "[examples]
   CHECK(refusal("explain " + sample_tables + sample_options + " --frame 999999")
             .find("--frame 999999: no key frame of the query has this idx") == 0);
 }
-
-TEST_CASE("a calibrated decision reports what it rests on", "[examples]") {
-  const std::string command = "localize " + sample_tables + " --calibrate";
-  const Json report = json_of(command + " --false-accept-rate 0.02");
-  const Json& calibration = report.at("calibration");
-  CHECK(calibration.at("false_accept_rate") == 0.02);
-  CHECK(calibration.at("source") == "null model");
-  CHECK(calibration.at("look_ups") == 400);
-  CHECK(calibration.at("extrapolated") == false);
-  CHECK(report.at("accepted") > 0);
-  for (const Json& match : report.at("matches")) {
-    CHECK(match.at("score") >= calibration.at("threshold"));
-    CHECK(match.at("confidence") > 0.9);
-  }
-  const Json strict = json_of(command + " --false-accept-rate 1e-5").at("calibration");
-  CHECK(strict.at("extrapolated") == true);
-  CHECK(strict.at("threshold") > calibration.at("threshold"));
-  CHECK_FALSE(json_of("localize " + sample_tables).contains("calibration"));
-}
-
-TEST_CASE("a false-accept rate needs a calibration and is a share", "[examples]") {
-  const std::string command = "localize --map a --query b --camera 5,5,3,2 ";
-  CHECK(refusal(command + "--false-accept-rate 0.1").find("--calibrate") != std::string::npos);
-  CHECK(refusal(command + "--calibrate --false-accept-rate 0").find("--false-accept-rate") !=
-        std::string::npos);
-  CHECK(refusal(command + "--other-place c").find("--calibrate") != std::string::npos);
-}

@@ -132,3 +132,22 @@ TEST_CASE("a false score and a rate are checked", "[recognition]") {
     CHECK_THROWS_AS(scores.threshold(rate), InvalidValue);
   }
 }
+
+TEST_CASE("false scores are made again of what they tell", "[recognition]") {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  FalseScores was;
+  for (int i = 0; i < 100; ++i) {
+    was.add(i % 4 == 0 ? std::nullopt : std::make_optional(normal(random)));
+  }
+  CHECK(was.scores().size() == 75);
+  CHECK(std::is_sorted(was.scores().rbegin(), was.scores().rend()));
+  std::vector<double> shuffled = was.scores();
+  std::shuffle(shuffled.begin(), shuffled.end(), random);
+  const FalseScores is(was.size(), shuffled);
+  CHECK(is.size() == 100);
+  CHECK(is.scores() == was.scores());
+  for (double s = -4.0; s < 8.0; s += 0.1) CHECK(is.rate(s).rate == was.rate(s).rate);
+  CHECK_THROWS_AS(FalseScores(74, shuffled), InvalidValue);
+  CHECK_THROWS_AS(FalseScores(1, {std::nan("")}), InvalidValue);
+}

@@ -110,3 +110,30 @@ TEST_CASE("a stamp or a gap that is not finite is refused", "[recognition][regre
   options.min_gap = std::nan("");
   CHECK_THROWS_AS(LoopDetector<>(options).detect(1.0, graph), InvalidValue);
 }
+
+TEST_CASE("a running detector takes other options, and keeps its key frames", "[recognition]") {
+  const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
+  LoopDetector<> loops;
+  loops.detect_and_add(KeyframeId{1}, 0.0, graph);
+  CHECK(loops.detect(100.0, graph));
+  RecognitionOptions strict = loops.options();
+  strict.decision.min_score = 1e6;
+  CHECK_FALSE(loops.detect(100.0, graph, strict));  // for this key frame alone
+  CHECK(loops.detect(100.0, graph));
+  CHECK(loops.detect(5.0, graph, strict).candidates.empty());  // the gap holds
+  loops.set_options(strict);
+  CHECK(loops.options().decision.min_score == 1e6);
+  CHECK(loops.bag().size() == 1);
+  CHECK_FALSE(loops.detect(100.0, graph));
+
+  Calibration calibration;
+  for (int i = 0; i < 250; ++i) calibration.add_negative(0.001 * i);
+  RecognitionOptions calibrated;
+  calibrated.decision.calibration = calibration;
+  loops.set_options(calibrated);
+  const Recognition loop = loops.detect(100.0, graph);
+  REQUIRE(loop);
+  CHECK(loop.accepted->threshold == calibration.threshold(1e-3).score);
+  CHECK(*loop.accepted->confidence > 0.99);
+  CHECK(*loop.accepted->confidence < 1.0);
+}

@@ -4,32 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include <topobag/recognition/calibration.hpp>
+#include <topobag/recognition/certain_negatives.hpp>
 #include <topobag/recognition/null_model.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/relocalizer.hpp>
+#include <topobag/types/ids.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// Options under which a look-up shows its score whatever it is, for `false_score`.
-inline RecognitionOptions without_threshold(RecognitionOptions options) {
-  options.decision.calibration.reset();
-  options.decision.min_score = -1e6;
-  options.place.min_score = -1e6;
-  return options;
-}
-
-/// The least threshold that would have refused a look-up made `without_threshold`; nothing when it
-/// was refused for another reason.
-inline std::optional<double> false_score(const Recognition& recognition) {
-  if (!recognition) return std::nullopt;
-  return recognition.accepted->score();
-}
 
 /// Says of two key frames that they cannot be of one place: what the front end knows by odometry, a
 /// floor plan or the session.
@@ -39,12 +24,39 @@ using OtherPlaces = std::function<bool(KeyframeId, KeyframeId)>;
 struct CalibrateOptions {
   std::size_t null_look_ups = 400;   ///< when the map has too few certain negatives
   std::uint32_t seed = 1;            ///< of the null model
+  PoseNegativeOptions by_pose{};     ///< what is false of key frames with a pose in the world
   CalibrationOptions calibration{};  ///< how scores become rates
 };
 
-/// Learns from a map itself: every key frame is looked up among those that `other_places` says
-/// cannot be its place; if that gives too few certain negatives, permuted layouts of the key frames
-/// are looked up in the whole map. Deterministic. Cost: a look-up each.
+namespace detail {
+
+/// Which of `size` things is the i-th of `draws` that are spread evenly over all of them, or, when
+/// they are fewer, that go round them.
+inline std::size_t even_draw(std::size_t i, std::size_t draws, std::size_t size) {
+  return draws < size ? i * size / draws : i % size;
+}
+
+/// Permuted layouts of the key frames, drawn evenly, looked up in the whole map.
+template <typename Bag>
+void add_null_look_ups(Calibration& calibration, const Relocalizer<Bag>& relocalizer,
+                       const std::vector<KeyframeId>& keyframes, const CalibrateOptions& options) {
+  const RecognitionOptions recognition = without_threshold(relocalizer.options());
+  for (std::size_t i = 0; i < options.null_look_ups; ++i) {
+    const std::size_t drawn = even_draw(i, options.null_look_ups, keyframes.size());
+    const auto seed = options.seed + static_cast<std::uint32_t>(i);
+    const auto layout = permuted_layout(*relocalizer.map().find(keyframes[drawn]), seed);
+    const Recognition found = relocalizer.localize(layout, recognition);
+    if (!found.candidates.empty()) calibration.add_null(false_score(found));
+  }
+}
+
+}  // namespace detail
+
+/// Learns from a map itself. Every key frame with a pose in the world is looked up in the map
+/// without itself and its neighbours in time, and the best match that puts it elsewhere is false;
+/// every other one is looked up among those that `other_places` says cannot be its place. If that
+/// gives too few certain negatives, permuted layouts of key frames from all over the map are looked
+/// up in it. Deterministic. Cost: a look-up each.
 ///
 ///     Calibration calibration = calibrate(relocalizer, ids, other_places);
 ///     options.decision.calibration = calibration;  // and options.decision.false_accept_rate
@@ -52,30 +64,34 @@ template <typename Bag>
 Calibration calibrate(const Relocalizer<Bag>& relocalizer, const std::vector<KeyframeId>& keyframes,
                       const OtherPlaces& other_places = {}, const CalibrateOptions& options = {}) {
   Calibration calibration(options.calibration);
-  std::vector<typename Bag::Graph> graphs;
+  std::vector<KeyframeId> usable;
   RecognitionOptions recognition = without_threshold(relocalizer.options());
   const auto wanted = recognition.retrieval.filter;
+  const auto look_up = [&](const auto& graph, const auto& admitted) {
+    recognition.retrieval.filter = [&](KeyframeId entry, const EntryInfo& info) {
+      return admitted(entry, info) && (!wanted || wanted(entry, info));
+    };
+    return relocalizer.localize(graph, recognition);
+  };
   for (const KeyframeId id : keyframes) {
-    auto graph = relocalizer.map().find(id);
+    const auto graph = relocalizer.map().find(id);
     if (!graph || !graph->is_matchable()) continue;
-    if (other_places) {
-      recognition.retrieval.filter = [&](KeyframeId entry, const EntryInfo& info) {
-        return other_places(id, entry) && (!wanted || wanted(entry, info));
-      };
-      const Recognition found = relocalizer.localize(*graph, recognition);
-      if (!found.candidates.empty()) calibration.add_negative(false_score(found));
+    usable.push_back(id);
+    const auto known = detail::info_of(relocalizer.map(), id, 0);
+    if (known && known->T_world_camera) {
+      const Recognition found = look_up(*graph, [&](KeyframeId entry, const EntryInfo& info) {
+        return !options.by_pose.is_neighbor(id, *known, entry, info);
+      });
+      add_negative_by_pose(calibration, found, relocalizer.map(), *known->T_world_camera,
+                           options.by_pose);
+    } else if (other_places) {
+      add_negative(calibration, look_up(*graph, [&](KeyframeId entry, const EntryInfo&) {
+                     return other_places(id, entry);
+                   }));
     }
-    if (graphs.size() < options.null_look_ups) graphs.push_back(std::move(*graph));
   }
-  if (calibration.source() == CalibrationSource::certain_negatives || graphs.empty()) {
-    return calibration;
-  }
-  recognition.retrieval.filter = wanted;
-  for (std::size_t i = 0; i < options.null_look_ups; ++i) {
-    const auto seed = options.seed + static_cast<std::uint32_t>(i);
-    const auto layout = permuted_layout(graphs[i % graphs.size()], seed);
-    const Recognition found = relocalizer.localize(layout, recognition);
-    if (!found.candidates.empty()) calibration.add_null(false_score(found));
+  if (calibration.source() == CalibrationSource::null_model && !usable.empty()) {
+    detail::add_null_look_ups(calibration, relocalizer, usable, options);
   }
   return calibration;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <topobag/error.hpp>
 #include <topobag/recognition/false_scores.hpp>
@@ -13,29 +16,66 @@ inline namespace v0 {
 /// What a calibration goes by.
 enum class CalibrationSource { null_model, certain_negatives };
 
+/// In words, for a report.
+inline const char* to_string(CalibrationSource source) noexcept {
+  return source == CalibrationSource::null_model ? "null model" : "certain negatives";
+}
+
 /// When certain negatives are enough, and what is expected beforehand.
 struct CalibrationOptions {
   std::size_t min_negatives = 200;  ///< certain negatives from which on the null model is left
   double prior = 0.5;               ///< share of look-ups that are of a place in the map
+  double max_repeats = 0.02;  ///< share of certain negatives beyond chance that still carries over
+};
+
+/// Whether what a map taught holds for other places too.
+struct CarryOver {
+  double repeats = 0.0;  ///< share of certain negatives that look like a place, against chance
+  std::string reason{};  ///< why it does not carry over, a sentence; empty when nothing says so
+
+  /// Whether nothing speaks against it.
+  explicit operator bool() const noexcept { return reason.empty(); }
 };
 
 /// Turns scores into what a user can bear: a false-accept rate, and the probability that an
 /// accepted match is true.
 ///
-/// It learns from look-ups that are known to be false: the front end says which key frames cannot
-/// be the query's place; until it has said so often enough, a null model serves
-/// (`null_model.hpp`). All rates are of look-ups in maps of about the size learnt from.
+/// It learns from look-ups that are known to be false: by the poses in the world, or because the
+/// front end says which key frames cannot be the query's place (`certain_negatives.hpp`); until
+/// there are enough of them, a null model serves (`null_model.hpp`). All rates are of look-ups in
+/// maps of about the size learnt from. The look-ups of one map overlap, so they count for fewer
+/// than they are.
 class Calibration {
  public:
-  /// Throws InvalidValue unless the prior is in (0, 1).
+  /// Throws InvalidValue unless the prior is in (0, 1) and the share of repeats in [0, 1].
   explicit Calibration(const CalibrationOptions& options = {}) : options_(options) {
     if (!(options.prior > 0.0 && options.prior < 1.0)) {
       throw InvalidValue("the prior of a true place must be in (0, 1)");
     }
+    if (!(options.max_repeats >= 0.0 && options.max_repeats <= 1.0)) {
+      throw InvalidValue("the share of repeats that carries over must be in [0, 1]");
+    }
   }
 
-  /// A look-up among key frames that cannot be its place; see `false_score`.
-  void add_negative(std::optional<double> score) { negatives_.add(score); }
+  /// What another one's `options`, `negative_scores`, `null_scores` and `repeats` told. Throws
+  /// InvalidValue as above, and when more negatives are beyond chance than have a score.
+  Calibration(const CalibrationOptions& options, FalseScores negatives, FalseScores null,
+              std::size_t repeats)
+      : Calibration(options) {
+    if (repeats > negatives.scores().size()) {
+      throw InvalidValue("there are more repeats than scores of certain negatives");
+    }
+    negatives_ = std::move(negatives);
+    null_ = std::move(null);
+    repeats_ = repeats;
+  }
+
+  /// A look-up of a place elsewhere; see `false_score` and `false_score_by_pose`.
+  /// @param beyond_chance  a decision without calibration would ask for no higher score
+  void add_negative(std::optional<double> score, bool beyond_chance = false) {
+    negatives_.add(score);
+    if (score && beyond_chance) ++repeats_;
+  }
 
   /// A look-up of a layout that is nowhere.
   void add_null(std::optional<double> score) { null_.add(score); }
@@ -61,11 +101,47 @@ class Calibration {
   /// The share of false look-ups that reach `score`.
   FalseAcceptRate false_accept_rate(double score) const { return current().rate(score); }
 
-  /// P(true | a look-up reaches `score`) by Bayes' rule, were every true look-up to reach it.
+  /// P(true | a look-up reaches `score`) by Bayes' rule, were every true look-up to reach it. The
+  /// rate is never taken for less than 1 / (look-ups + 1): so many false ones say no more, however
+  /// high the score; none seen, it is the prior.
   double probability(double score) const {
-    const double false_share = (1.0 - options_.prior) * false_accept_rate(score).rate;
-    return options_.prior / (options_.prior + false_share);
+    const double least = 1.0 / (static_cast<double>(look_ups()) + 1.0);
+    const double rate = std::max(false_accept_rate(score).rate, least);
+    return options_.prior / (options_.prior + (1.0 - options_.prior) * rate);
   }
+
+  /// Whether `score` lies beyond every false score seen, so that its probability is the most that
+  /// this many look-ups can say.
+  bool is_extrapolated(double score) const { return false_accept_rate(score).extrapolated; }
+
+  /// Whether the map speaks against using this elsewhere: it does when more than `max_repeats` of
+  /// the certain negatives reach the score that a decision without calibration asks for, which
+  /// chance does about once in a thousand look-ups. Then layouts repeat in the map, the scores
+  /// learnt are those of its own repetitions, and another place's are others. The null model, which
+  /// knows no repetitions, says nothing here; nor does a map without certain negatives.
+  CarryOver carries_over() const {
+    CarryOver answer;
+    if (negatives_.size() == 0) return answer;
+    answer.repeats = static_cast<double>(repeats_) / static_cast<double>(negatives_.size());
+    if (answer.repeats > options_.max_repeats) {
+      answer.reason = std::to_string(repeats_) + " of " + std::to_string(negatives_.size()) +
+                      " look-ups match another place better than chance does: layouts repeat, so "
+                      "what was learnt here may not hold elsewhere.";
+    }
+    return answer;
+  }
+
+  /// What it was made with.
+  const CalibrationOptions& options() const noexcept { return options_; }
+
+  /// Of the certain negatives.
+  const FalseScores& negative_scores() const noexcept { return negatives_; }
+
+  /// Of the layouts that are nowhere.
+  const FalseScores& null_scores() const noexcept { return null_; }
+
+  /// Certain negatives that were beyond chance.
+  std::size_t repeats() const noexcept { return repeats_; }
 
  private:
   const FalseScores& current() const noexcept {
@@ -75,6 +151,7 @@ class Calibration {
   CalibrationOptions options_;
   FalseScores negatives_;
   FalseScores null_;
+  std::size_t repeats_ = 0;
 };
 
 }  // namespace v0

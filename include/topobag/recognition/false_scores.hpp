@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <topobag/error.hpp>
@@ -35,10 +36,22 @@ struct ScoreThreshold {
 /// taken for steeper than the chance model's own, 10^−score.
 class FalseScores {
  public:
+  /// Of no look-ups.
+  FalseScores() = default;
+
+  /// What another one's `size` and `scores` told. Throws InvalidValue when a score is not finite,
+  /// or when there are more scores than look-ups. O(n log n).
+  FalseScores(std::size_t look_ups, std::vector<double> scores)
+      : look_ups_(look_ups), scores_(std::move(scores)) {
+    if (scores_.size() > look_ups_) throw InvalidValue("there are more false scores than look-ups");
+    for (const double score : scores_) require_finite(score);
+    std::sort(scores_.begin(), scores_.end(), std::greater<>());
+  }
+
   /// @param score  the least threshold that would have refused the look-up; nothing when every one
   /// does. Throws InvalidValue when it is not finite. O(n).
   void add(std::optional<double> score) {
-    if (score && !std::isfinite(*score)) throw InvalidValue("a false score must be finite");
+    if (score) require_finite(*score);
     ++look_ups_;
     if (!score) return;
     scores_.insert(std::upper_bound(scores_.begin(), scores_.end(), *score, std::greater<>()),
@@ -47,6 +60,9 @@ class FalseScores {
 
   /// All look-ups, the ones without a score too.
   std::size_t size() const noexcept { return look_ups_; }
+
+  /// Those of the look-ups that had one, falling.
+  const std::vector<double>& scores() const noexcept { return scores_; }
 
   /// The share of false look-ups that a threshold accepts. Falls with it. O(n).
   FalseAcceptRate rate(double threshold) const {
@@ -82,6 +98,10 @@ class FalseScores {
     double share;        // of the look-ups above it
     double mean_excess;  // score
   };
+
+  static void require_finite(double score) {
+    if (!std::isfinite(score)) throw InvalidValue("a false score must be finite");
+  }
 
   double count() const { return static_cast<double>(look_ups_); }
 

@@ -47,7 +47,11 @@ class LoopDetector {
   /// Looks the key frame up among those at least `min_gap` older; entries without a stamp are never
   /// asked. Nothing is added. Throws InvalidValue when the stamp or the gap is not finite.
   Recognition detect(double stamp, const Graph& graph) const {
-    RecognitionOptions options = relocalizer_.options();
+    return detect(stamp, graph, relocalizer_.options());
+  }
+
+  /// The same with options for this key frame alone.
+  Recognition detect(double stamp, const Graph& graph, RecognitionOptions options) const {
     std::optional<double>& max_stamp = options.retrieval.among.max_stamp;
     const double latest = stamp - min_gap_;
     if (!std::isfinite(latest)) {
@@ -64,6 +68,11 @@ class LoopDetector {
     bag().add(id, std::move(graph), std::move(info));
     return recognition;
   }
+
+  /// How key frames are recognised.
+  const RecognitionOptions& options() const noexcept { return relocalizer_.options(); }
+  /// From the next key frame on; a calibration comes in by this. Not while another thread looks up.
+  void set_options(RecognitionOptions options) { relocalizer_.set_options(std::move(options)); }
 
  private:
   double min_gap_;

@@ -76,6 +76,8 @@ class Relocalizer {
 
   /// Those of every query that brings none.
   const RecognitionOptions& options() const noexcept { return options_; }
+  /// From the next query on; a calibration comes in by this. Not while another thread looks up.
+  void set_options(RecognitionOptions options) { options_ = std::move(options); }
 
   /// The query camera's pose in the map's world, when it was recognised and the matched entry's
   /// pose is known.

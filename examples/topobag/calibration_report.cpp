@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "calibration_report.hpp"
+
+#include <iomanip>
+#include <sstream>
+
+namespace program {
+
+Json calibration_json(const CalibratedRun& calibrated) {
+  const topobag::Calibration& calibration = calibrated.calibration;
+  const auto threshold = calibration.threshold(calibrated.false_accept_rate);
+  const topobag::CarryOver carry_over = calibration.carries_over();
+  return {{"false_accept_rate", calibrated.false_accept_rate},
+          {"threshold", threshold.score},
+          {"extrapolated", threshold.extrapolated},
+          {"source", to_string(calibration.source())},
+          {"look_ups", calibration.look_ups()},
+          {"certain_negatives", calibration.negatives()},
+          {"repeats", carry_over.repeats},
+          {"warning", carry_over ? Json() : Json(carry_over.reason)}};
+}
+
+std::string calibration_lines(const CalibratedRun& calibrated) {
+  const topobag::Calibration& calibration = calibrated.calibration;
+  const auto threshold = calibration.threshold(calibrated.false_accept_rate);
+  std::ostringstream out;
+  out << "  threshold     " << std::fixed << std::setprecision(2) << threshold.score
+      << " for a false-accept rate of " << std::defaultfloat << std::setprecision(6)
+      << calibrated.false_accept_rate << (threshold.extrapolated ? ", extrapolated" : "")
+      << " from " << calibration.look_ups() << " look-ups (" << to_string(calibration.source())
+      << ")\n";
+  const topobag::CarryOver carry_over = calibration.carries_over();
+  if (!carry_over) out << "  warning       " << carry_over.reason << '\n';
+  return out.str();
+}
+
+}  // namespace program

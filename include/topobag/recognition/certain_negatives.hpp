@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include <topobag/bag/entry_info.hpp>
+#include <topobag/recognition/calibration.hpp>
+#include <topobag/recognition/decision_options.hpp>
+#include <topobag/recognition/place_graph.hpp>
+#include <topobag/recognition/recognition.hpp>
+#include <topobag/recognition/recognition_options.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Options under which a look-up shows its score whatever it is, to learn from.
+inline RecognitionOptions without_threshold(RecognitionOptions options) {
+  options.decision.calibration.reset();
+  options.decision.min_score = -1e6;
+  options.place.min_score = -1e6;
+  return options;
+}
+
+/// What is false where the poses of key frames in the world are known: not a key frame but a pose.
+struct PoseNegativeOptions {
+  double max_translation = 1.0;     ///< m; a match that puts the query further from where it is,
+  double max_rotation = 0.7853982;  ///< rad; or turned by more, is false. 45 degrees
+
+  double min_time_gap = 10.0;     ///< s; a key frame is not looked up among those of its session
+                                  ///< that are nearer in time,
+  std::uint64_t min_id_gap = 30;  ///< or, where a stamp is not known, nearer in their ids
+
+  /// Whether two poses of the query in the world are elsewhere from each other.
+  bool elsewhere(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T_world_b) const {
+    const Eigen::Isometry3d between = T_world_a.inverse() * T_world_b;
+    return between.translation().norm() > max_translation ||
+           Eigen::AngleAxisd(between.linear()).angle() > max_rotation;
+  }
+
+  /// Whether an entry is the key frame itself, or its neighbour in time.
+  bool is_neighbor(KeyframeId keyframe, const EntryInfo& info, KeyframeId entry,
+                   const EntryInfo& entry_info) const {
+    if (entry == keyframe) return true;
+    if (info.session != entry_info.session) return false;
+    if (info.stamp && entry_info.stamp) {
+      return std::abs(*info.stamp - *entry_info.stamp) < min_time_gap;
+    }
+    const std::uint64_t low = std::min(value(keyframe), value(entry));
+    return std::max(value(keyframe), value(entry)) - low < min_id_gap;
+  }
+};
+
+/// The least threshold that would have refused a look-up of a place that cannot be in the map, made
+/// `without_threshold`; nothing when it was refused for another reason.
+inline std::optional<double> false_score(const Recognition& recognition) {
+  if (!recognition) return std::nullopt;
+  return recognition.accepted->score();
+}
+
+/// The best score of a match that puts the query elsewhere than it is, among those that were judged
+/// by their place and leave the pose not open; nothing when there is none. Entries without a pose
+/// in the world are passed over. O(candidates).
+/// @param bag  that was asked
+template <typename Bag>
+std::optional<double> false_score_by_pose(const Recognition& recognition, const Bag& bag,
+                                          const Eigen::Isometry3d& T_world_query,
+                                          const PoseNegativeOptions& options = {}) {
+  std::optional<double> best;
+  for (const CandidateReport& report : recognition.candidates) {
+    if (!report.pose || !report.place_support || report.pose->degenerate) continue;
+    const auto info = detail::info_of(bag, report.id, 0);
+    if (!info || !info->T_world_camera) continue;
+    const Eigen::Isometry3d T_world_matched =
+        *info->T_world_camera * report.pose->T_candidate_query;
+    if (!options.elsewhere(T_world_query, T_world_matched)) continue;
+    best = best ? std::max(*best, report.score()) : report.score();
+  }
+  return best;
+}
+
+/// Whether a decision at its defaults, without calibration, would ask this look-up for no more.
+inline bool is_beyond_chance(const Recognition& recognition, std::optional<double> score) {
+  return score && *score >= DecisionOptions{}.threshold(recognition.places);
+}
+
+/// Adds a look-up of a place that cannot be in the map, made `without_threshold`. One that compared
+/// nothing teaches nothing. Whether it was added.
+inline bool add_negative(Calibration& calibration, const Recognition& recognition) {
+  if (recognition.candidates.empty()) return false;
+  const auto score = false_score(recognition);
+  calibration.add_negative(score, is_beyond_chance(recognition, score));
+  return true;
+}
+
+/// Adds a look-up whose query's pose in the world is known, wherever it is: also while mapping, to
+/// a calibration that runs.
+///
+///     const Recognition all = loops.detect(stamp, graph, without_threshold(loops.options()));
+///     if (add_negative_by_pose(calibration, all, loops.bag(), T_world_camera)) { … }
+///
+/// Best made `without_threshold`: of a usual look-up, scores below its threshold may be missing.
+/// One teaches nothing that compared no entry with a pose in the world. Whether it was added.
+/// O(candidates).
+/// @param bag  that was asked
+template <typename Bag>
+bool add_negative_by_pose(Calibration& calibration, const Recognition& recognition, const Bag& bag,
+                          const Eigen::Isometry3d& T_world_query,
+                          const PoseNegativeOptions& options = {}) {
+  const auto& reports = recognition.candidates;
+  const bool told = std::any_of(reports.begin(), reports.end(), [&](const CandidateReport& report) {
+    const auto info = detail::info_of(bag, report.id, 0);
+    return info && info->T_world_camera;
+  });
+  if (!told) return false;
+  const auto score = false_score_by_pose(recognition, bag, T_world_query, options);
+  calibration.add_negative(score, is_beyond_chance(recognition, score));
+  return true;
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <topobag/recognition/calibration_text.hpp>
+
+#include "catch.hpp"
+#include "csv_reader.hpp"
+#include "run_program.hpp"
+#include "sample.hpp"
+
+namespace {
+
+using CalibrationJson = nlohmann::json;
+
+const std::string calibrated_tables = "--map " + sample_map + " --query " + sample_query;
+
+CalibrationJson calibrated_run(const std::string& arguments) {
+  const ProgramRun run = run_program(arguments + sample_options + " --json");
+  CAPTURE(arguments, run.err);
+  REQUIRE(run.exit_code == 0);
+  return CalibrationJson::parse(run.out);
+}
+
+}  // namespace
+
+TEST_CASE("a calibrated decision reports what it rests on", "[examples]") {
+  const std::string command = "localize " + calibrated_tables + " --calibrate";
+  const CalibrationJson report = calibrated_run(command + " --false-accept-rate 0.02");
+  const CalibrationJson& calibration = report.at("calibration");
+  CHECK(calibration.at("false_accept_rate") == 0.02);
+  CHECK(calibration.at("source") == "null model");
+  CHECK(calibration.at("look_ups") == 400);
+  CHECK(calibration.at("extrapolated") == false);
+  CHECK(calibration.at("certain_negatives") > 0);  // by poses, though too few
+  CHECK(calibration.contains("warning"));
+  CHECK(report.at("accepted") > 0);
+  for (const CalibrationJson& match : report.at("matches")) {
+    CHECK(match.at("score") >= calibration.at("threshold"));
+    CHECK(match.at("confidence") > 0.9);
+    CHECK(match.at("confidence") <= 401.0 / 402.0);
+    CHECK(match.at("confidence_extrapolated").is_boolean());
+  }
+  const CalibrationJson strict =
+      calibrated_run(command + " --false-accept-rate 1e-5").at("calibration");
+  CHECK(strict.at("extrapolated") == true);
+  CHECK(strict.at("threshold") > calibration.at("threshold"));
+  CHECK(calibrated_run(command).at("calibration").at("false_accept_rate") == 0.001);
+  CHECK_FALSE(calibrated_run("localize " + calibrated_tables).contains("calibration"));
+}
+
+TEST_CASE("what was learnt is kept and used again", "[examples]") {
+  const ScratchFolder folder;
+  const std::string file = folder.path("kitchen.calibration");
+  const std::string rate = " --false-accept-rate 0.02 ";
+  const std::string localize = "localize " + calibrated_tables + rate;
+  const CalibrationJson learnt =
+      calibrated_run(localize + "--calibrate --save-calibration " + file);
+  const CalibrationJson again = calibrated_run(localize + "--calibration " + file);
+  CHECK(again.at("calibration") == learnt.at("calibration"));
+  CHECK(again.at("matches") == learnt.at("matches"));
+  CHECK(topobag::parse_calibration(program::read_file(file)).look_ups() == 400);
+
+  const std::string frame = std::to_string(learnt.at("matches").at(0).at("query_idx").get<int>());
+  const CalibrationJson explained = calibrated_run("explain " + calibrated_tables + rate +
+                                                   "--calibration " + file + " --frame " + frame);
+  CHECK(explained.at("calibration") == learnt.at("calibration"));
+}
+
+TEST_CASE("loops are calibrated by the poses of their table", "[examples]") {
+  const ScratchFolder folder;
+  const std::string file = folder.path("loops.calibration");
+  const std::string loops =
+      "loops --nodes " + sample_map + " --min-gap 5 --false-accept-rate 0.02 ";
+  const CalibrationJson learnt = calibrated_run(loops + "--calibrate --save-calibration " + file);
+  const CalibrationJson& calibration = learnt.at("calibration");
+  CHECK(calibration.at("certain_negatives") > 50);
+  CHECK(learnt.at("wrong") == 0);
+  for (const CalibrationJson& match : learnt.at("matches")) {
+    CHECK(match.at("score") >= calibration.at("threshold"));
+    CHECK(match.at("confidence") < 1.0);
+  }
+  CHECK(calibrated_run(loops + "--calibration " + file).at("calibration") == calibration);
+  const ProgramRun table = run_program(loops + "--calibration " + file + sample_options);
+  CHECK(table.out.find("for a false-accept rate of 0.02 from 400 look-ups (null model)") !=
+        std::string::npos);
+}
+
+TEST_CASE("a false-accept rate is a share, and needs no calibration", "[examples]") {
+  const std::string command = "localize " + calibrated_tables;
+  const CalibrationJson lenient = calibrated_run(command + " --false-accept-rate 0.5");
+  const CalibrationJson strict = calibrated_run(command + " --false-accept-rate 1e-9");
+  CHECK(lenient.at("accepted") > strict.at("accepted"));
+  CHECK_FALSE(strict.contains("calibration"));
+  CHECK(refusal(command + sample_options + "--false-accept-rate 0").find("--false-accept-rate") !=
+        std::string::npos);
+}
+
+TEST_CASE("calibration options that do not fit are refused", "[examples]") {
+  const std::string command = "localize --map a --query b --camera 5,5,3,2 ";
+  CHECK(refusal(command + "--other-place c").find("--calibrate") != std::string::npos);
+  CHECK(refusal(command + "--save-calibration c").find("--calibrate") != std::string::npos);
+  CHECK(refusal(command + "--calibrate --calibration c").find("--calibrat") != std::string::npos);
+  const std::string bad = sample_map + ".frames.csv";
+  const std::string why =
+      refusal("localize " + calibrated_tables + sample_options + "--calibration " + bad);
+  CHECK(why.find(bad + ": calibration, line 1: this is no calibration") == 0);
+}
