@@ -43,8 +43,9 @@ void add_null_look_ups(Calibration& calibration, const Relocalizer<Bag>& relocal
   const RecognitionOptions recognition = without_threshold(relocalizer.options());
   for (std::size_t i = 0; i < options.null_look_ups; ++i) {
     const std::size_t drawn = even_draw(i, options.null_look_ups, keyframes.size());
-    const auto seed = options.seed + static_cast<std::uint32_t>(i);
-    const auto layout = permuted_layout(*relocalizer.map().find(keyframes[drawn]), seed);
+    const auto graph = relocalizer.map().find(keyframes[drawn]);
+    if (!graph) continue;  // erased meanwhile
+    const auto layout = permuted_layout(*graph, options.seed + static_cast<std::uint32_t>(i));
     const Recognition found = relocalizer.localize(layout, recognition);
     if (!found.candidates.empty()) calibration.add_null(false_score(found));
   }
