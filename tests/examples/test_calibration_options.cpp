@@ -33,7 +33,7 @@ TEST_CASE("a calibrated decision reports what it rests on", "[examples]") {
   CHECK(calibration.at("source") == "null model");
   CHECK(calibration.at("look_ups") == 400);
   CHECK(calibration.at("extrapolated") == false);
-  CHECK(calibration.at("certain_negatives") > 0);  // by poses, though too few
+  CHECK(calibration.at("certain_negatives") < 200);  // it is a map of one desk
   CHECK(calibration.contains("warning"));
   CHECK(report.at("accepted") > 0);
   for (const CalibrationJson& match : report.at("matches")) {
@@ -75,7 +75,7 @@ TEST_CASE("loops are calibrated by the poses of their table", "[examples]") {
       "loops --nodes " + sample_map + " --min-gap 5 --false-accept-rate 0.02 ";
   const CalibrationJson learnt = calibrated_run(loops + "--calibrate --save-calibration " + file);
   const CalibrationJson& calibration = learnt.at("calibration");
-  CHECK(calibration.at("certain_negatives") > 50);
+  CHECK(calibration.at("source") == "null model");  // a desk teaches nothing of others
   CHECK(learnt.at("wrong") == 0);
   for (const CalibrationJson& match : learnt.at("matches")) {
     CHECK(match.at("score") >= calibration.at("threshold"));

@@ -287,3 +287,16 @@ TEST_CASE("the null model draws from the end of a long map too", "[recognition][
   CHECK(scores(ids) == scores(every_fifth));
   CHECK(scores(ids) != scores(first));
 }
+
+TEST_CASE("a map of one place is calibrated by the null model, poses or not", "[recognition]") {
+  Relocalizer<> relocalizer;
+  const auto ids = fill_with_poses(relocalizer, 1, 1);
+  CalibrateOptions options;
+  options.null_look_ups = 30;
+  options.calibration.min_negatives = 1;
+  options.by_pose.min_time_gap = 0.5;
+  const Calibration calibration = calibrate(relocalizer, ids, {}, options);
+  CHECK(calibration.negatives() == 0);
+  CHECK(calibration.source() == CalibrationSource::null_model);
+  CHECK(calibration.look_ups() == 30);
+}

@@ -43,8 +43,9 @@ void add_null_look_ups(Calibration& calibration, const Relocalizer<Bag>& relocal
   const RecognitionOptions recognition = without_threshold(relocalizer.options());
   for (std::size_t i = 0; i < options.null_look_ups; ++i) {
     const std::size_t drawn = even_draw(i, options.null_look_ups, keyframes.size());
-    const auto seed = options.seed + static_cast<std::uint32_t>(i);
-    const auto layout = permuted_layout(*relocalizer.map().find(keyframes[drawn]), seed);
+    const auto graph = relocalizer.map().find(keyframes[drawn]);
+    if (!graph) continue;  // erased meanwhile
+    const auto layout = permuted_layout(*graph, options.seed + static_cast<std::uint32_t>(i));
     const Recognition found = relocalizer.localize(layout, recognition);
     if (!found.candidates.empty()) calibration.add_null(false_score(found));
   }
@@ -55,8 +56,8 @@ void add_null_look_ups(Calibration& calibration, const Relocalizer<Bag>& relocal
 /// Learns from a map itself. Every key frame with a pose in the world is looked up in the map
 /// without itself and its neighbours in time, and the best match that puts it elsewhere is false;
 /// every other one is looked up among those that `other_places` says cannot be its place. If that
-/// gives too few certain negatives, permuted layouts of key frames from all over the map are looked
-/// up in it. Deterministic. Cost: a look-up each.
+/// gives too few certain negatives, as in a map of one place, permuted layouts of key frames from
+/// all over the map are looked up in it. Deterministic. Cost: a look-up each.
 ///
 ///     Calibration calibration = calibrate(relocalizer, ids, other_places);
 ///     options.decision.calibration = calibration;  // and options.decision.false_accept_rate

@@ -57,6 +57,24 @@ struct PoseNegativeOptions {
   }
 };
 
+namespace detail {
+
+/// The entry's pose in the world, where the bag knows it.
+template <typename Bag>
+std::optional<Eigen::Isometry3d> known_pose(const Bag& bag, KeyframeId id) {
+  const auto info = info_of(bag, id, 0);
+  return info ? info->T_world_camera : std::nullopt;
+}
+
+/// Whether a candidate's match, which has a pose, puts the query elsewhere than it is.
+template <typename Report>
+bool is_elsewhere(const Report& report, const Eigen::Isometry3d& T_world_candidate,
+                  const Eigen::Isometry3d& T_world_query, const PoseNegativeOptions& options) {
+  return options.elsewhere(T_world_query, T_world_candidate * report.pose->T_candidate_query);
+}
+
+}  // namespace detail
+
 /// The least threshold that would have refused a look-up of a place that cannot be in the map, made
 /// `without_threshold`; nothing when it was refused for another reason.
 inline std::optional<double> false_score(const Recognition& recognition) {
@@ -75,11 +93,11 @@ std::optional<double> false_score_by_pose(const Recognition& recognition, const 
   std::optional<double> best;
   for (const CandidateReport& report : recognition.candidates) {
     if (!report.pose || !report.place_support || report.pose->degenerate) continue;
-    const auto info = detail::info_of(bag, report.id, 0);
-    if (!info || !info->T_world_camera) continue;
-    const Eigen::Isometry3d T_world_matched =
-        *info->T_world_camera * report.pose->T_candidate_query;
-    if (!options.elsewhere(T_world_query, T_world_matched)) continue;
+    const auto T_world_candidate = detail::known_pose(bag, report.id);
+    if (!T_world_candidate ||
+        !detail::is_elsewhere(report, *T_world_candidate, T_world_query, options)) {
+      continue;
+    }
     best = best ? std::max(*best, report.score()) : report.score();
   }
   return best;
@@ -105,20 +123,24 @@ inline bool add_negative(Calibration& calibration, const Recognition& recognitio
 ///     const Recognition all = loops.detect(stamp, graph, without_threshold(loops.options()));
 ///     if (add_negative_by_pose(calibration, all, loops.bag(), T_world_camera)) { … }
 ///
-/// Best made `without_threshold`: of a usual look-up, scores below its threshold may be missing.
-/// One teaches nothing that compared no entry with a pose in the world. Whether it was added.
-/// O(candidates).
+/// Best made `without_threshold`: of a usual look-up, scores below its threshold may be missing. An
+/// entry that was matched where the query is leaves no room for a false match: a look-up teaches
+/// nothing when more than half of its entries with a pose in the world were, or when it compared
+/// none. So a map of one place teaches nothing of others. Whether it was added. O(candidates).
 /// @param bag  that was asked
 template <typename Bag>
 bool add_negative_by_pose(Calibration& calibration, const Recognition& recognition, const Bag& bag,
                           const Eigen::Isometry3d& T_world_query,
                           const PoseNegativeOptions& options = {}) {
-  const auto& reports = recognition.candidates;
-  const bool told = std::any_of(reports.begin(), reports.end(), [&](const CandidateReport& report) {
-    const auto info = detail::info_of(bag, report.id, 0);
-    return info && info->T_world_camera;
-  });
-  if (!told) return false;
+  std::size_t asked = 0, at_query = 0;
+  for (const CandidateReport& report : recognition.candidates) {
+    const auto T_world_candidate = detail::known_pose(bag, report.id);
+    if (!T_world_candidate) continue;
+    ++asked;
+    if (!report.pose) continue;
+    if (!detail::is_elsewhere(report, *T_world_candidate, T_world_query, options)) ++at_query;
+  }
+  if (asked == 0 || 2 * at_query > asked) return false;
   const auto score = false_score_by_pose(recognition, bag, T_world_query, options);
   calibration.add_negative(score, is_beyond_chance(recognition, score));
   return true;
