@@ -13,7 +13,7 @@ using namespace topobag;
 
 namespace {
 
-Eigen::Isometry3d moved(double x, double radians = 0.0) {
+Eigen::Isometry3d shifted_by(double x, double radians = 0.0) {
   return Eigen::Translation3d(x, 0.0, 0.0) *
          Eigen::Isometry3d(Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitY()));
 }
@@ -33,7 +33,7 @@ Relocalizer<> map_of_room(bool repeats, unsigned seed = 1) {
   for (unsigned i = 0; i < (repeats ? 10u : 5u); ++i) {
     const Eigen::Isometry3d T_room_camera = random_camera(random);
     relocalizer.map().add(KeyframeId{i}, room.seen_from(T_room_camera),
-                          posed(moved(i < 5 ? 0.0 : 20.0) * T_room_camera));
+                          posed(shifted_by(i < 5 ? 0.0 : 20.0) * T_room_camera));
   }
   return relocalizer;
 }
@@ -42,17 +42,17 @@ Relocalizer<> map_of_room(bool repeats, unsigned seed = 1) {
 
 TEST_CASE("a pose is elsewhere beyond a distance or a turn", "[recognition]") {
   const PoseNegativeOptions options;
-  const Eigen::Isometry3d T_world_query = moved(3.0, 0.4);
+  const Eigen::Isometry3d T_world_query = shifted_by(3.0, 0.4);
   const auto elsewhere = [&](const Eigen::Isometry3d& T_query_other) {
     CHECK(options.elsewhere(T_world_query, T_world_query * T_query_other) ==
           options.elsewhere(T_world_query * T_query_other, T_world_query));
     return options.elsewhere(T_world_query, T_world_query * T_query_other);
   };
-  CHECK_FALSE(elsewhere(moved(0.0)));
-  CHECK_FALSE(elsewhere(moved(0.99, 0.78)));
-  CHECK(elsewhere(moved(1.01)));
-  CHECK(elsewhere(moved(0.0, 0.79)));
-  CHECK(elsewhere(moved(0.0, -0.79)));
+  CHECK_FALSE(elsewhere(shifted_by(0.0)));
+  CHECK_FALSE(elsewhere(shifted_by(0.99, 0.78)));
+  CHECK(elsewhere(shifted_by(1.01)));
+  CHECK(elsewhere(shifted_by(0.0, 0.79)));
+  CHECK(elsewhere(shifted_by(0.0, -0.79)));
 }
 
 TEST_CASE("a neighbour is near in time, or in its id, within its session", "[recognition]") {
@@ -93,7 +93,7 @@ TEST_CASE("the true place is no negative, its repetition is", "[recognition]") {
     CHECK((!chance || *chance < *repeated));
     CHECK_FALSE(is_beyond_chance(in_once, chance));
     // Said to stand elsewhere, the query finds its own place wrongly.
-    const auto displaced = false_score_by_pose(in_once, once.map(), moved(5.0) * T_world_query);
+    const auto displaced = false_score_by_pose(in_once, once.map(), shifted_by(5.0) * T_world_query);
     REQUIRE(displaced);
     CHECK(*displaced >= in_once.accepted->score());
   }
@@ -118,7 +118,7 @@ TEST_CASE("what compared nothing, or nothing with a pose, teaches nothing", "[re
   Calibration calibration;
   const auto learn = [&] {
     const Recognition found = relocalizer.localize(graph, without_threshold(relocalizer.options()));
-    return add_negative_by_pose(calibration, found, relocalizer.map(), moved(9.0));
+    return add_negative_by_pose(calibration, found, relocalizer.map(), shifted_by(9.0));
   };
   CHECK_FALSE(learn());
   CHECK_FALSE(add_negative(calibration, Recognition{}));
@@ -170,7 +170,7 @@ TEST_CASE("a loop detector learns while it maps, and decides by what it learnt",
   for (unsigned i = 0; i < 60; ++i) {
     const unsigned room = i / 10 % 3;
     const Eigen::Isometry3d T_room_camera = random_camera(random);
-    const Eigen::Isometry3d T_world_camera = moved(20.0 * room) * T_room_camera;
+    const Eigen::Isometry3d T_world_camera = shifted_by(20.0 * room) * T_room_camera;
     const auto graph = rooms[room].seen_from(T_room_camera);
     const Recognition all = loops.detect(i, graph, without_threshold(loops.options()));
     // Nothing to compare with, then the first room alone, which leaves no room for a false match.

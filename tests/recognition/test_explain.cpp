@@ -59,7 +59,9 @@ TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
           break;
         case Verdict::outdone:
           ++outdone;
-          CHECK(candidate.failed()->name == "lead over the threshold, beside the best one's");
+          CHECK(candidate.failed()->name ==
+                (report.place_support ? "lead over the threshold, beside the best one's"
+                                      : "first of its place, which is judged for all"));
           break;
         case Verdict::no_agreement:
           CHECK(candidate.failed()->name == "objects that agree");
@@ -72,6 +74,10 @@ TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
           break;
         case Verdict::ambiguous:
           CHECK(candidate.failed()->name.find(" pose") != std::string::npos);
+          ++refused;
+          break;
+        case Verdict::rivalled:
+          CHECK(candidate.failed()->name == "support over another place");
           ++refused;
           break;
         case Verdict::degenerate:

@@ -16,7 +16,7 @@ using namespace topobag;
 
 namespace {
 
-const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();  // a camera
 
 /// Every second object of what a camera sees, beginning with the first or the second.
 TopologyGraph<> half_of(const TopologyGraph<>& graph, std::size_t first) {
@@ -25,7 +25,7 @@ TopologyGraph<> half_of(const TopologyGraph<>& graph, std::size_t first) {
   return TopologyGraph<>(std::move(nodes));
 }
 
-EntryInfo posed(const Eigen::Isometry3d& T_world_camera) {
+EntryInfo standing_at(const Eigen::Isometry3d& T_world_camera) {
   EntryInfo info;
   info.T_world_camera = T_world_camera;
   return info;
@@ -39,8 +39,8 @@ TEST_CASE("a place holds the objects of all key frames around, in the candidate'
   const SyntheticRoom room(3, 10, 10);
   BagOfTopologyGraphs<> bag;
   const Eigen::Isometry3d a = random_camera(random), b = random_camera(random);
-  bag.add(KeyframeId{1}, half_of(room.seen_from(a), 0), posed(a));
-  bag.add(KeyframeId{2}, half_of(room.seen_from(b), 1), posed(b));
+  bag.add(KeyframeId{1}, half_of(room.seen_from(a), 0), standing_at(a));
+  bag.add(KeyframeId{2}, half_of(room.seen_from(b), 1), standing_at(b));
   const Eigen::Isometry3d q = random_camera(random);
   const TopologyGraph<> query = room.seen_from(q), candidate = *bag.find(KeyframeId{1});
   const TopologyGraph<> place = place_graph(bag, KeyframeId{1}, candidate, query, a.inverse() * q);
@@ -64,27 +64,28 @@ TEST_CASE("what the query does not look at is no part of its place", "[recogniti
   far = near;
   far.position = Eigen::Vector3d(2.5, 0, 3);
   BagOfTopologyGraphs<> bag;
-  bag.add(KeyframeId{1}, TopologyGraph<>({near, far}), posed(origin));
-  bag.add(KeyframeId{2}, TopologyGraph<>({near, far}), posed(origin));
+  bag.add(KeyframeId{1}, TopologyGraph<>({near, far}), standing_at(here));
+  bag.add(KeyframeId{2}, TopologyGraph<>({near, far}), standing_at(here));
   const TopologyGraph<> query({near});
   const TopologyGraph<> place =
-      place_graph(bag, KeyframeId{1}, *bag.find(KeyframeId{1}), query, origin);
+      place_graph(bag, KeyframeId{1}, *bag.find(KeyframeId{1}), query, here);
   REQUIRE(place.size() == 1);
   CHECK((*place.nodes()[0].position - *near.position).norm() < 1e-9);
 }
 
 TEST_CASE("key frames far away, or not admitted, are no part of a place", "[recognition]") {
   const SyntheticRoom room(3, 10, 10);
-  const TopologyGraph<> seen = room.seen_from(origin);
+  const TopologyGraph<> seen = room.seen_from(here);
   BagOfTopologyGraphs<> bag;
-  bag.add(KeyframeId{1}, half_of(seen, 0), posed(origin));
-  bag.add(KeyframeId{2}, half_of(seen, 1), posed(Eigen::Isometry3d(Eigen::Translation3d(9, 0, 0))));
-  bag.add(KeyframeId{3}, half_of(seen, 1), posed(origin));
+  bag.add(KeyframeId{1}, half_of(seen, 0), standing_at(here));
+  bag.add(KeyframeId{2}, half_of(seen, 1),
+          standing_at(Eigen::Isometry3d(Eigen::Translation3d(9, 0, 0))));
+  bag.add(KeyframeId{3}, half_of(seen, 1), standing_at(here));
   QueryOptions only_first_two;
   only_first_two.among.max_id = KeyframeId{2};
   const TopologyGraph<> candidate = *bag.find(KeyframeId{1});
-  CHECK(place_graph(bag, KeyframeId{1}, candidate, seen, origin, only_first_two).size() == 5);
-  CHECK(place_graph(bag, KeyframeId{1}, candidate, seen, origin).size() == 10);
+  CHECK(place_graph(bag, KeyframeId{1}, candidate, seen, here, only_first_two).size() == 5);
+  CHECK(place_graph(bag, KeyframeId{1}, candidate, seen, here).size() == 10);
 }
 
 TEST_CASE("without poses the neighbours by id are placed by matching them", "[recognition]") {
@@ -99,7 +100,7 @@ TEST_CASE("without poses the neighbours by id are placed by matching them", "[re
   bag.add(KeyframeId{11}, room.seen_from(b));
   const TopologyGraph<> candidate = *bag.find(KeyframeId{10});
   const TopologyGraph<> place =
-      place_graph(bag, KeyframeId{10}, candidate, room.seen_from(a), origin);
+      place_graph(bag, KeyframeId{10}, candidate, room.seen_from(a), here);
   REQUIRE(place.size() == 12);
   bool there = false;
   for (const auto& node : place.nodes()) {
@@ -111,11 +112,11 @@ TEST_CASE("without poses the neighbours by id are placed by matching them", "[re
 
 TEST_CASE("another place that fits as well refuses a match, and is named", "[recognition]") {
   const SyntheticRoom room(6, 9, 5);
-  const TopologyGraph<> seen = room.seen_from(origin);
+  const TopologyGraph<> seen = room.seen_from(here);
   const auto look_up = [&](const Eigen::Isometry3d& T_second) {
     Relocalizer<> relocalizer;
-    relocalizer.map().add(KeyframeId{1}, seen, posed(origin));
-    relocalizer.map().add(KeyframeId{2}, seen, posed(T_second));
+    relocalizer.map().add(KeyframeId{1}, seen, standing_at(here));
+    relocalizer.map().add(KeyframeId{2}, seen, standing_at(T_second));
     return relocalizer.localize(seen);
   };
   const Recognition twins = look_up(Eigen::Isometry3d(Eigen::Translation3d(50, 0, 0)));
@@ -125,13 +126,13 @@ TEST_CASE("another place that fits as well refuses a match, and is named", "[rec
   REQUIRE(twins.candidates[0].rival);
   CHECK(twins.candidates[0].rival->id == twins.candidates[1].id);
   CHECK(twins.places == 2);
-  CHECK(look_up(origin));  // the same place twice is no rival
+  CHECK(look_up(here));  // the same place twice is no rival
 }
 
 TEST_CASE("without poses ids far apart are rivals, neighbours and loops of one session are not",
           "[recognition]") {
   const SyntheticRoom room(6, 9, 5);
-  const TopologyGraph<> seen = room.seen_from(origin);
+  const TopologyGraph<> seen = room.seen_from(here);
   const auto accepted = [&](std::uint64_t second, std::uint32_t session) {
     Relocalizer<> relocalizer;
     relocalizer.map().add(KeyframeId{1}, seen);
@@ -153,15 +154,15 @@ TEST_CASE("a false match that one graph lets through is refused by its place",
   const PinholeCamera<> camera{525, 525, 320, 240, 640, 480};
   View<> view;
   view.camera = camera;
-  const TopologyGraph<> all = room.seen_from(origin);
+  const TopologyGraph<> all = room.seen_from(here);
   const TopologyGraph<> query(all.nodes(), {}, {view});
   const TopologyGraph<> three({all.nodes()[0], all.nodes()[1], all.nodes()[2]});
   const auto support = [&](const TopologyGraph<>& beside) {
     BagOfTopologyGraphs<> bag;
-    bag.add(KeyframeId{1}, three, posed(origin));
-    bag.add(KeyframeId{2}, beside, posed(origin));
-    const TopologyGraph<> place = place_graph(bag, KeyframeId{1}, three, query, origin);
-    return judge_pose(place, query, origin)->support();
+    bag.add(KeyframeId{1}, three, standing_at(here));
+    bag.add(KeyframeId{2}, beside, standing_at(here));
+    const TopologyGraph<> place = place_graph(bag, KeyframeId{1}, three, query, here);
+    return judge_pose(place, query, here)->support();
   };
   CHECK(support(TopologyGraph<>(three.nodes(), {}, {view})) < support(three));
   CHECK(support(TopologyGraph<>(all.nodes(), {}, {view})) > support(three));

@@ -84,7 +84,10 @@ std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOpt
                       true,
                       {}});
   }
-  if (best_margin && (report.verdict == Verdict::accepted || report.verdict == Verdict::outdone)) {
+  if (report.verdict == Verdict::outdone && !report.place_support) {
+    stages.push_back({"first of its place, which is judged for all", false, 0.0, 1.0, true, {}});
+  } else if (best_margin &&
+             (report.verdict == Verdict::accepted || report.verdict == Verdict::outdone)) {
     stages.push_back({"lead over the threshold, beside the best one's",
                       report.verdict == Verdict::accepted,
                       report.margin(),

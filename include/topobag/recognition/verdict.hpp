@@ -13,7 +13,7 @@ enum class Verdict {
   chance,      ///< such a match would come about by chance too often, or too much is missing
   ambiguous,   ///< another pose in the same candidate fits about as well
   rivalled,    ///< another place of the map fits about as well
-  outdone,     ///< good enough, but another candidate is better
+  outdone,     ///< good enough, but another candidate, of its place or another, is better
   accepted,
 };
 

@@ -129,11 +129,6 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
       recognition.accepted = report;
     }
   }
-  if (!recognition.accepted) {
-    for (CandidateReport& report : reports) {
-      if (report.verdict == Verdict::outdone) report.verdict = Verdict::chance;
-    }
-  }
   return recognition;
 }
 
