@@ -23,7 +23,7 @@ TopologyGraph<> leveled(const TopologyGraph<>& graph, const Eigen::Vector3d& dow
 }
 
 /// The graph moved by a pose, its gravity too.
-TopologyGraph<> moved(const TopologyGraph<>& graph, const Eigen::Isometry3d& T_new_old) {
+TopologyGraph<> carried(const TopologyGraph<>& graph, const Eigen::Isometry3d& T_new_old) {
   auto nodes = graph.nodes();
   const Eigen::Matrix3d R = T_new_old.linear();
   for (auto& node : nodes) {
@@ -91,7 +91,7 @@ TEST_CASE("with gravity two objects give a pose, over each other they leave it o
   };
   const Eigen::Isometry3d turn(Eigen::AngleAxisd(0.7, down));
   const TopologyGraph<> beside = two({0.8, 0.1, 3});
-  const GraphMatch match = match_graphs(moved(beside, turn), beside);
+  const GraphMatch match = match_graphs(carried(beside, turn), beside);
   REQUIRE(match.poses.size() >= 1);
   CHECK_FALSE(match.poses.front().degenerate);
   CHECK(match.poses.front().T_candidate_query.isApprox(turn, 1e-3));
@@ -104,7 +104,7 @@ TEST_CASE("with gravity a layout is not taken for one that is tilted", "[matchin
   std::mt19937 random(9);
   const TopologyGraph<> graph = leveled(noisy_graph(random, 6, 6, 0.02), Eigen::Vector3d::UnitY());
   const Eigen::Isometry3d tilt(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX()));
-  const TopologyGraph<> tilted = leveled(moved(graph, tilt), Eigen::Vector3d::UnitY());
+  const TopologyGraph<> tilted = leveled(carried(graph, tilt), Eigen::Vector3d::UnitY());
   REQUIRE_FALSE(match_graphs(graph, graph).poses.empty());
   CHECK(match_graphs(graph, graph).poses.front().inliers.size() == 6);
   for (const RelativePose& pose : match_graphs(tilted, graph).poses) {

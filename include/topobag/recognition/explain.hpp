@@ -77,12 +77,13 @@ std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOpt
                       {}});
   }
   if (report.rival) {
-    stages.push_back({"support over another place",
-                      false,
-                      report.support() - report.rival->support,
-                      min_lead,
-                      true,
-                      {}});
+    stages.push_back(
+        {"support over another place",
+         false,
+         report.support() - report.rival->support,
+         lead_to_ask(pose, report.rival->support >= report.threshold, options.decision),
+         true,
+         {}});
   }
   if (report.verdict == Verdict::outdone && !report.place_support) {
     stages.push_back({"first of its place, which is judged for all", false, 0.0, 1.0, true, {}});

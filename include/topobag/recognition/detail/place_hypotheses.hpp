@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -77,6 +78,17 @@ std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, const Reports& rep
   return kept;
 }
 
+/// By how many decades a pose has to lead over one that puts the query elsewhere. Where the other
+/// one would be believed by itself, the places are alike, and which of them is ahead is a matter of
+/// noise: the residuals of n objects move −log10 of their likelihood by √(3n/2) / ln 10 (half a χ²
+/// with 3n degrees of freedom), two such by √2 times that.
+inline double lead_to_ask(const RelativePose& pose, bool rival_is_credible,
+                          const DecisionOptions& options) {
+  if (!rival_is_credible) return options.min_lead;
+  const auto objects = static_cast<double>(pose.inliers.size());
+  return options.min_lead + options.lead_deviations * std::sqrt(3.0 * objects) / std::log(10.0);
+}
+
 /// Judges the best poses again by the places around them, and names the rivals among these. Writes
 /// into the reports whose own pose was judged.
 template <typename Bag, typename Reports>
@@ -101,7 +113,9 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
     if (hypothesis.pose != &*report.pose) continue;
     for (const PlaceHypothesis& other : hypotheses) {
       const bool elsewhere = other.report != hypothesis.report;  // else told by `other_poses`
-      if (!elsewhere || other.support <= hypothesis.support - options.decision.min_lead) continue;
+      const double lead =
+          lead_to_ask(*hypothesis.pose, other.support >= report.threshold, options.decision);
+      if (!elsewhere || other.support <= hypothesis.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;
       report.rival = RivalPlace{reports[other.report].id, other.support};
     }
