@@ -41,7 +41,7 @@ struct PlaceRun {
   std::size_t stride = 1;                   ///< every so many usable queries are looked up
 };
 
-namespace detail {
+namespace place_run_fields {
 
 /// So many numbers between blanks.
 inline Eigen::VectorXd numbers_of(const program::CsvReader& csv, std::size_t column,
@@ -73,7 +73,7 @@ inline PlaceKind kind_of(const program::CsvReader& csv, std::size_t column) {
   throw csv.error("'" + std::string(csv.text(column)) + "' is not same, other or loops");
 }
 
-}  // namespace detail
+}  // namespace place_run_fields
 
 /// Reads a list of runs: a CSV file with the columns name, kind (same, other, loops), min_gap (s),
 /// map, query (tables; relative ones lie beside the list), map_camera, query_camera (fx fy cx cy
@@ -91,20 +91,20 @@ inline std::vector<PlaceRun> read_place_runs(const std::string& path) {
   while (csv.next()) {
     PlaceRun run;
     run.name = std::string(csv.text(name));
-    run.kind = detail::kind_of(csv, kind);
+    run.kind = place_run_fields::kind_of(csv, kind);
     if (run.kind == PlaceKind::loops) run.min_gap = csv.number(gap);
     run.map = (folder / csv.text(map)).string();
     run.query = (folder / csv.text(query)).string();
     if (run.kind == PlaceKind::loops && run.map != run.query) {
       throw csv.error("loops are looked for in one table: map and query differ");
     }
-    run.map_camera = detail::camera_of(csv, map_camera);
-    run.query_camera = detail::camera_of(csv, query_camera);
+    run.map_camera = place_run_fields::camera_of(csv, map_camera);
+    run.query_camera = place_run_fields::camera_of(csv, query_camera);
     run.window = csv.number(window);
     run.interval = csv.number(interval);
     run.min_confidence = csv.number(confidence);
     if (csv.text(up) != "none") {
-      run.world_up = detail::numbers_of(csv, up, 3);
+      run.world_up = place_run_fields::numbers_of(csv, up, 3);
       if (run.world_up->isZero(0.0)) throw csv.error("the world's up has no direction");
     }
     runs.push_back(std::move(run));

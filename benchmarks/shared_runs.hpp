@@ -15,21 +15,17 @@ struct SharedRunsOptions {
   std::size_t rooms_stride = 1;              ///< of the queries in rooms, which are many
 };
 
-namespace detail {
-
+/// A table of the data folder.
 struct SharedSet {
   std::string name, table, place;
   topobag::PinholeCamera<> camera;
   double interval;  // s
 };
 
-}  // namespace detail
-
 /// All runs over the sets of a data folder, each without and with gravity: `nodes/` of the TUM
 /// sequences, and `rooms/`. fr3's sequences share a place.
 inline std::vector<PlaceRun> shared_runs(const std::string& folder,
                                          const SharedRunsOptions& options) {
-  using detail::SharedSet;
   const topobag::PinholeCamera<> fr1{517.3, 516.5, 318.6, 255.3, 640, 480},
       fr2{520.9, 521.0, 325.1, 249.7, 640, 480}, fr3{535.4, 539.2, 320.1, 247.6, 640, 480},
       rooms{525.0, 525.0, 319.5, 239.5, 640, 480};
