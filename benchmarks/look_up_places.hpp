@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <topobag/recognition/loop_detector.hpp>
+#include <topobag/recognition/relocalizer.hpp>
+#include <topobag/types/class_catalog.hpp>
+
+#include "keyframe_graphs.hpp"
+#include "place_run.hpp"
+#include "pooled_figures.hpp"
+
+/// The program's options, but that the best answer which passes every other stage is accepted
+/// whatever its score.
+inline topobag::RecognitionOptions accept_any_score() {
+  topobag::RecognitionOptions options;
+  options.matching.consistency.classes =
+      topobag::lookalike_classes(topobag::ClassCatalog::coco80());
+  options.decision.min_score = -1e6;
+  return options;
+}
+
+/// What the answer is worth: its margin over the score that the default would have asked for among
+/// the same places, and its truth.
+inline ScoredLookUp scored(const topobag::Recognition& found, PlaceKind kind,
+                           const std::vector<program::Keyframe>& map,
+                           const program::Keyframe& query) {
+  ScoredLookUp look_up;
+  if (!found) return look_up;
+  look_up.margin = found.accepted->score() - topobag::DecisionOptions{}.threshold(found.places);
+  if (kind == PlaceKind::other) return look_up;
+  const program::Keyframe& candidate = map[topobag::value(found.accepted->id)];
+  look_up.truth = topobag::judge(
+      topobag::pose_error(candidate.T_world_camera->inverse() * *query.T_world_camera,
+                          found.accepted->pose->T_candidate_query));
+  return look_up;
+}
+
+/// The key frames' graphs of a table of the run.
+inline std::vector<program::Keyframe> keyframes_of(const PlaceRun& run, bool of_map) {
+  program::KeyframeOptions options;
+  options.camera = of_map ? run.map_camera : run.query_camera;
+  options.interval = run.interval;
+  options.window = run.window;
+  options.min_confidence = run.min_confidence;
+  options.gravity.world_up = run.world_up;
+  options.stress.stream = of_map ? 0 : 1;  // the gravity's noise is another one
+  const std::string& table = of_map ? run.map : run.query;
+  auto keyframes = program::read_keyframes(table, options);
+  for (const program::Keyframe& keyframe : keyframes) {
+    if (!keyframe.T_world_camera) {
+      throw program::InputError(table + ".frames.csv", "a frame has no pose to be scored with");
+    }
+  }
+  return keyframes;
+}
+
+/// What a front end knows of a key frame of its map.
+inline topobag::EntryInfo info_of(const program::Keyframe& keyframe) {
+  topobag::EntryInfo info;
+  info.stamp = keyframe.timestamp;
+  info.T_world_camera = keyframe.T_world_camera;
+  return info;
+}
+
+/// Looks the run's queries up: every `stride`-th key frame of those with enough objects and
+/// something to be looked up among.
+inline std::vector<ScoredLookUp> look_up_places(const PlaceRun& run) {
+  const auto map = keyframes_of(run, true);
+  std::vector<ScoredLookUp> look_ups;
+  std::size_t next = 0;
+  const auto is_due = [&](const program::Keyframe& query) {
+    return query.graph.is_matchable() && next++ % run.stride == 0;
+  };
+  const auto record = [&](const topobag::Recognition& found, const program::Keyframe& query) {
+    if (!found.candidates.empty()) look_ups.push_back(scored(found, run.kind, map, query));
+  };
+  if (run.kind == PlaceKind::loops) {
+    topobag::LoopDetector<> loops({run.min_gap, accept_any_score()});
+    for (std::size_t i = 0; i < map.size(); ++i) {
+      if (is_due(map[i])) record(loops.detect(map[i].timestamp, map[i].graph), map[i]);
+      if (!map[i].graph.is_matchable()) continue;
+      loops.bag().add(topobag::KeyframeId{i}, map[i].graph, info_of(map[i]));
+    }
+    return look_ups;
+  }
+  topobag::Relocalizer<> relocalizer(accept_any_score());
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (!map[i].graph.is_matchable()) continue;
+    relocalizer.map().add(topobag::KeyframeId{i}, map[i].graph, info_of(map[i]));
+  }
+  for (const program::Keyframe& query : keyframes_of(run, false)) {
+    if (is_due(query)) record(relocalizer.localize(query.graph), query);
+  }
+  return look_ups;
+}
