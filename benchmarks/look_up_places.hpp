@@ -16,9 +16,8 @@
 /// The program's options, but that the best answer which passes every other stage is accepted
 /// whatever its score.
 inline topobag::RecognitionOptions accept_any_score() {
-  topobag::RecognitionOptions options;
-  options.matching.consistency.classes =
-      topobag::lookalike_classes(topobag::ClassCatalog::coco80());
+  topobag::RecognitionOptions options =
+      topobag::recognition_options(topobag::ClassCatalog::coco80());
   options.decision.min_score = -1e6;
   return options;
 }

@@ -19,10 +19,7 @@ namespace {
 
 /// The library's defaults, for the classes of a node table.
 topobag::RecognitionOptions table_recognition_options() {
-  topobag::RecognitionOptions options;
-  options.matching.consistency.classes =
-      topobag::lookalike_classes(topobag::ClassCatalog::coco80());
-  return options;
+  return topobag::recognition_options(topobag::ClassCatalog::coco80());
 }
 
 /// What a front end knows of a key frame of its map.
