@@ -33,7 +33,8 @@ TopologyGraph<> one_object() {
 
 TEST_CASE("key frames of one spot are one place", "[bag]") {
   PlaceCount places;
-  for (std::uint64_t id = 0; id < 50; ++id) places.add(KeyframeId{id}, at(1.0, 1.5, 0.01 * id));
+  for (std::uint64_t id = 0; id < 50; ++id)
+    places.add(KeyframeId{id}, at(1.0, 1.5, 0.01 * static_cast<double>(id)));
   CHECK(places.size() == 1);
   places.add(KeyframeId{50}, at(4.0, 1.5, 0.0));
   CHECK(places.size() == 2);
