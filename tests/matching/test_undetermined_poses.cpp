@@ -121,8 +121,8 @@ TEST_CASE("a degenerate pose hides no determined one", "[matching][regression]")
   MatchOptions all_options;  // no two poses are the same
   all_options.distinct_translation = all_options.distinct_rotation = -1.0;
   std::size_t beside_a_degenerate_one = 0;
-  for (int round = 0; round < 300; ++round) {
-    const TopologyGraph<> candidate = noisy_graph(random, 8, 2, 0.15);
+  for (int round = 0; round < 600; ++round) {
+    const TopologyGraph<> candidate = noisy_graph(random, 8, 2, 0.25);
     const TopologyGraph<> query = jittered(random, candidate, 1.5);
     const GraphMatch match = match_graphs(candidate, query, options);
     const auto near = [&](const RelativePose& a, const RelativePose& b) {

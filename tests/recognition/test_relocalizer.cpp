@@ -119,8 +119,11 @@ TEST_CASE("an indexed map gives the verdicts of a plain one with the same graphs
   Relocalizer<IndexedBag> indexed;
   Relocalizer<> plain;
   for (unsigned i = 0; i < 40; ++i) {
-    indexed.map().add(KeyframeId{i}, SyntheticRoom(i % 10, 8, 6).seen_from(random_camera(random)));
-    plain.map().add(KeyframeId{i}, *indexed.map().find(KeyframeId{i}));
+    const Eigen::Isometry3d T_room_camera = random_camera(random);
+    EntryInfo info;  // the rooms stand 100 m apart
+    info.T_world_camera = Eigen::Translation3d(100.0 * (i % 10), 0.0, 0.0) * T_room_camera;
+    indexed.map().add(KeyframeId{i}, SyntheticRoom(i % 10, 8, 6).seen_from(T_room_camera), info);
+    plain.map().add(KeyframeId{i}, *indexed.map().find(KeyframeId{i}), info);
   }
   RecognitionOptions few;
   few.max_candidates = 6;

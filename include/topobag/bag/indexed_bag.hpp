@@ -160,6 +160,7 @@ class BasicIndexedBag {
 
   std::size_t size() const { return view()->size(); }
   bool empty() const { return view()->empty(); }
+  /// Different places among the entries. O(1).
   std::size_t places() const { return view()->places(); }
   bool contains(KeyframeId id) const { return view()->contains(id); }
   std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }

@@ -46,8 +46,7 @@ void append_places(const CandidateReport& report, KeyFrame& key_frame, const voi
                       T_world_candidate * pose.T_candidate_query, pose.score(), verified,
                       other_map});
   };
-  const bool passed = report.verdict == Verdict::accepted || report.verdict == Verdict::outdone;
-  offer(*report.pose, passed && report.place_support.has_value());
+  offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::outdone);
   for (const RelativePose& other : report.other_poses) offer(other, false);
 }
 
