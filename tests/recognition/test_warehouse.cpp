@@ -17,7 +17,7 @@ std::ostream& operator<<(std::ostream& out, const WarehouseFigures& figures) {
 }  // namespace
 
 TEST_CASE(
-    "in a warehouse of equal racks eight in ten of a second round are found, and at most one "
+    "in a warehouse of equal racks seven in ten of a second round are found, and at most one "
     "in a hundred is wrong",
     "[recognition][long]") {
   for (const double jitter : {0.03, 0.12}) {
@@ -33,11 +33,11 @@ TEST_CASE(
       std::cout << "warehouse, jitter " << jitter << " m" << (gravity ? ", gravity" : "")
                 << ": second round " << second << "; aisles that were never mapped " << other
                 << '\n';
-      CHECK(10 * second.correct >= 8 * second.look_ups);
+      CHECK(10 * second.correct >= 7 * second.look_ups);
       CHECK(100 * second.wrong <= second.look_ups);
-      // Racks that are nowhere in the map are taken for their like as long as one of these fits
-      // best by more than the least lead; so this says of them only what is.
-      CHECK(100 * other.accepted() <= 75 * other.look_ups);
+      // Racks that are nowhere in the map are still taken for their like, as long as one of these
+      // leads by more than noise does; so this bounds what is, and is not what one would wish.
+      CHECK(100 * other.accepted() <= 30 * other.look_ups);
       // Every refusal for another place names it.
       CHECK(second.told == second.rivalled);
       CHECK(other.told == other.rivalled);
