@@ -3,8 +3,6 @@
 
 #include <topobag/error.hpp>
 #include <topobag/recognition/decision_options.hpp>
-#include <topobag/recognition/recognition_options.hpp>
-#include <topobag/types/class_catalog.hpp>
 
 #include "catch.hpp"
 
@@ -43,13 +41,4 @@ TEST_CASE("a rate outside (0, 1] is refused", "[recognition]") {
     options.false_accept_rate = rate;
     CHECK_THROWS_AS(options.threshold(1), InvalidValue);
   }
-}
-
-TEST_CASE("the options for a catalog join what detectors mix up", "[recognition]") {
-  const ClassCatalog catalog = ClassCatalog::coco80();
-  const RecognitionOptions options = recognition_options(catalog);
-  CHECK(options.matching.consistency.classes.compatible(*catalog.find("tv"),
-                                                        *catalog.find("laptop")));
-  CHECK_FALSE(RecognitionOptions{}.matching.consistency.classes.compatible(
-      *catalog.find("tv"), *catalog.find("laptop")));
 }
