@@ -147,6 +147,37 @@ TEST_CASE("the covariance of the pose is that of repeated measurements", "[match
   CHECK(whitened.cwiseAbs().maxCoeff() < 0.15);
 }
 
+TEST_CASE("the pose the other way round is the inverse, and its covariance is carried over",
+          "[matching]") {
+  std::mt19937 random(56);
+  RefineOptions options;
+  options.iterations = 200;
+  options.tolerance = 1e-13;
+  for (int round = 0; round < 50; ++round) {
+    const Eigen::Isometry3d T = random_motion(random, 2.0);
+    const auto objects = noisy_graph(random, 6, 2);
+    const auto seen = jittered(random, moved(objects, T.inverse()), 1.0);
+    std::vector<PointPair> pairs, swapped;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      pairs.push_back(point_pair(objects.nodes()[i], seen.nodes()[i]));
+      swapped.push_back(point_pair(seen.nodes()[i], objects.nodes()[i]));
+    }
+    const RefinedPose there = refine_pose(T, pairs, options);
+    const RefinedPose back = refine_pose(T.inverse(), swapped, options);
+    const Eigen::Isometry3d inverse = there.T_target_source.inverse();
+    CHECK(back.T_target_source.isApprox(inverse, 1e-6));
+    // T⁻¹ · Exp(−ξ) = Exp(−Ad ξ) · T⁻¹.
+    const Eigen::Matrix3d R = inverse.linear();
+    const Eigen::Vector3d t = inverse.translation();
+    Eigen::Matrix3d cross;
+    cross << 0, -t.z(), t.y(), t.z(), 0, -t.x(), -t.y(), t.x(), 0;
+    Eigen::Matrix<double, 6, 6> adjoint;
+    adjoint << R, cross * R, Eigen::Matrix3d::Zero(), R;
+    CHECK(back.covariance.isApprox(adjoint * there.covariance * adjoint.transpose(), 1e-3));
+    CHECK(Eigen::LLT<Eigen::Matrix<double, 6, 6>>(there.covariance).info() == Eigen::Success);
+  }
+}
+
 TEST_CASE("one outlier does not drag the pose", "[matching]") {
   std::mt19937 random(55);
   for (int round = 0; round < 100; ++round) {

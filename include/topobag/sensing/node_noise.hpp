@@ -24,7 +24,7 @@ struct NodeNoise {
   double depth_of_object = 0.10;   ///< share of the object's size
   double box_jitter = 0.06;        ///< share of the object's size
   double box_floor = 0.01;         ///< m
-  double truncation = 0.10;        ///< share of the object's size, across the ray, for a cut box
+  double truncation = 0.15;        ///< share of the object's size, across the ray, for a cut box
 
   /// Covariance (3 × 3, m²) of a position in the camera frame.
   /// @param position   m, camera frame, not the origin

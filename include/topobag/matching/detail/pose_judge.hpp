@@ -86,7 +86,7 @@ class PoseJudge {
 
   /// Works out what is to be known of a pose.
   RelativePose weigh(const Settled& settled) const {
-    const std::vector<PointPair> points = points_of(settled.pairs);
+    std::vector<PointPair> points = points_of(settled.pairs);
     RelativePose pose;
     pose.inliers.reserve(settled.pairs.size());
     for (const std::size_t i : settled.pairs) pose.inliers.push_back(pairs_[i]);
@@ -102,8 +102,13 @@ class PoseJudge {
                             : spread_about_line(sets.source, sets.weights);
     pose.degenerate = pose.spread < options_.min_spread ||
                       pose.rotation_deviation() > options_.max_rotation_deviation;
+    // The poses of a symmetric layout turn the view in different ways and shall be supported alike.
+    for (PointPair& pair : points) pair = pair.seen_alike();
+    const RefinedPose seen_alike{
+        pose.T_candidate_query,
+        pose_covariance(pose.T_candidate_query, points, options_.refine, vertical_)};
     pose.significance =
-        options_.chance.significance(candidate_, query_, pose.inliers, points, settled.pose,
+        options_.chance.significance(candidate_, query_, pose.inliers, points, seen_alike,
                                      options_.consistency.classes, vertical_);
     pose.missing = options_.missing.find(candidate_, query_, pose.inliers, pose.T_candidate_query);
     for (const MissingObject& object : pose.missing) pose.missing_cost += object.cost;
