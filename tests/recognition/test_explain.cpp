@@ -59,9 +59,9 @@ TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
           break;
         case Verdict::outdone:
           ++outdone;
-          CHECK(candidate.failed()->name ==
-                (report.place_support ? "lead over the threshold, beside the best one's"
-                                      : "first of its place, which is judged for all"));
+          CHECK(candidate.failed()->name == (report.place_support
+                                                 ? "lead over the threshold, beside the best one's"
+                                                 : "first of its place, which is judged for all"));
           break;
         case Verdict::no_agreement:
           CHECK(candidate.failed()->name == "objects that agree");
@@ -163,7 +163,8 @@ TEST_CASE("the support of a pose is told beside that of the best other one", "[r
     other.significance = support;
     other.degenerate = false;
   }
-  const auto stages = detail::stages_of(report, RecognitionOptions{}, std::nullopt);
+  const auto stages =
+      detail::stages_of(report, TopologyGraph<>{}, RecognitionOptions{}, std::nullopt);
   CHECK(stages.back().name == "support over other poses");
   CHECK(stages.back().value == Approx(4.0));
 }

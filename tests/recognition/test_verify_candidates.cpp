@@ -120,8 +120,7 @@ TEST_CASE("a match below the asked score may be chance", "[recognition]") {
   bag.add(KeyframeId{0}, graph);
   RecognitionOptions strict;
   strict.decision.min_score = 1e6;
-  const Recognition recognition =
-      verify_candidates(bag, graph, {{KeyframeId{0}, 1.0}}, strict);
+  const Recognition recognition = verify_candidates(bag, graph, {{KeyframeId{0}, 1.0}}, strict);
   REQUIRE(recognition.candidates.size() == 1);
   CHECK(recognition.candidates[0].verdict == Verdict::chance);
   CHECK(recognition.candidates[0].threshold == 1e6);
@@ -170,7 +169,7 @@ Verdict verdict_on(std::vector<RelativePose> poses) {
   report.threshold = *options.min_score;
   report.pose = poses.front();
   report.other_poses.assign(poses.begin() + 1, poses.end());
-  return detail::judge_candidate(report, options);
+  return detail::judge_candidate(report, TopologyGraph<>{}, options);
 }
 
 const Eigen::Isometry3d aside(Eigen::Translation3d(1, 0, 0));

@@ -23,8 +23,8 @@ inline namespace v0 {
 struct DecisionOptions {
   double false_accept_rate = 1e-3;  ///< share of look-ups of places that the map does not hold
   double min_lead = 1.0;            ///< in support, over every pose that puts the query elsewhere
-  double lead_deviations = 1.5;  ///< σ of the noise of both, more, over a place believed by itself
-  double surplus = 2.0;  ///< decades by which 10^−score exceeds the rate of chance, as measured
+  double lead_deviations = 3.0;  ///< σ of the noise of both, more, over a place believed by itself
+  double surplus = 1.5;  ///< decades by which 10^−score exceeds the rate of chance, as measured
 
   std::optional<Calibration> calibration{};  ///< learnt in this very map: says the score to ask for
   std::optional<double> min_score{};         ///< with it, that is the score to ask for

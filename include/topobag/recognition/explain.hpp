@@ -40,8 +40,9 @@ bool speaks_of(const CandidateReport& report, const Graph& candidate, const Grap
 }
 
 /// The stages in the order of `judge_candidate`; `best_margin` is the accepted candidate's.
-template <typename Report>
-std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOptions& options,
+template <typename Graph>
+std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph& query,
+                                      const RecognitionOptions& options,
                                       std::optional<double> best_margin) {
   const double agreeing = report.pose ? static_cast<double>(report.pose->inliers.size()) : 0.0;
   std::vector<ExplainedStage> stages{
@@ -55,11 +56,10 @@ std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOpt
   stages.push_back({"deviation of the rotation", deviation <= matching.max_rotation_deviation,
                     deviation, matching.max_rotation_deviation, false, " rad"});
   stages.push_back({"score", report.margin() >= 0.0, report.score(), report.threshold, true, {}});
-  const double min_lead = options.decision.min_lead;
   const RelativePose* nearest = nullptr;  // of the other poses: a rival, or the best supported
   bool rival = false;
   for (const auto& other : report.other_poses) {
-    const bool is_one = is_rival(other, pose, min_lead);
+    const bool is_one = is_rival(other, pose, query, report.threshold, options.decision);
     if (!is_one && (rival || other.degenerate)) continue;
     if (nearest && is_one == rival && nearest->support() >= other.support()) continue;
     nearest = &other;
@@ -72,18 +72,17 @@ std::vector<ExplainedStage> stages_of(const Report& report, const RecognitionOpt
     stages.push_back({"support over other poses",
                       !rival,
                       pose.support() - nearest->support(),
-                      min_lead,
+                      lead_to_ask(*nearest, pose, query, report.threshold, options.decision),
                       true,
                       {}});
   }
   if (report.rival) {
-    stages.push_back(
-        {"support over another place",
-         false,
-         report.support() - report.rival->support,
-         lead_to_ask(pose, report.rival->support >= report.threshold, options.decision),
-         true,
-         {}});
+    stages.push_back({"support over another place",
+                      false,
+                      report.support() - report.rival->support,
+                      report.rival->lead,
+                      true,
+                      {}});
   }
   if (report.verdict == Verdict::outdone && !report.place_support) {
     stages.push_back({"first of its place, which is judged for all", false, 0.0, 1.0, true, {}});
@@ -119,7 +118,7 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   explanation.complete = report.complete;
   explanation.place_support = report.place_support;
   explanation.rival = report.rival;
-  explanation.stages = detail::stages_of(report, options, best_margin);
+  explanation.stages = detail::stages_of(report, query, options, best_margin);
   if (!report.pose) return explanation;
   const RelativePose& pose = *report.pose;
   const auto name = [&](const auto& node) { return detail::class_name(catalog, node.label); };

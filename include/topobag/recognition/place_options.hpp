@@ -12,6 +12,7 @@ inline namespace v0 {
 /// How the place around a candidate is looked at, and when two answers are of one place.
 struct PlaceOptions {
   std::size_t max_hypotheses = 4;  ///< best poses, each elsewhere, that are judged by their place
+  std::size_t max_rivals = 16;     ///< best poses, each elsewhere, that are compared with these
   double min_score = 0.0;          ///< by one graph; below it a pose is not worth the place's time
   double distinct_translation = 1.0;  ///< m; two camera poses in the world further apart
   double distinct_rotation = 0.5;     ///< rad; or turned by more, are elsewhere
@@ -22,7 +23,8 @@ struct PlaceOptions {
   double radius = 2.5;       ///< m around the query's camera, where the world's poses are known
   double turn_weight = 1.0;  ///< m that a turn of one rad counts for in "nearest"
   std::size_t max_neighbors = 3;   ///< without poses: ids before and after the candidate's
-  double no_agreement_cost = 3.0;  ///< decades that a place costs in which no three objects agree
+  double max_contradiction = 3.0;  ///< decades by which a place may speak against its key frame: in
+                                   ///< one of a thousand it was put together wrongly, or changed
   double margin = 0.5;         ///< m from an object of the query that its place reaches at least
   double max_depth = 8.0;      ///< m; as far as the query's cameras look
   LocalGraphOptions fusing{};  ///< its window is not used

@@ -16,7 +16,8 @@ inline namespace v0 {
 /// Another place of the map that fits about as well.
 struct RivalPlace {
   KeyframeId id{};       ///< a key frame of it
-  double support = 0.0;  ///< of its pose, by its graph and its place
+  double support = 0.0;  ///< of its pose, by its graph, and by its place where that was asked
+  double lead = 0.0;     ///< over it that was asked for
 };
 
 /// What became of one candidate.
@@ -42,10 +43,7 @@ struct CandidateReport {
   }
 
   /// What the decision looks at: −log10 of the odds that chance made the match. 0 without a pose.
-  double score() const noexcept {
-    if (!pose) return 0.0;
-    return place_support ? 0.5 * (pose->score() + *place_support) : pose->score();
-  }
+  double score() const noexcept { return pose ? support() + pose->viewpoint_odds : 0.0; }
 
   /// By how much the score passed the threshold; negative when it missed.
   double margin() const noexcept { return score() - threshold; }

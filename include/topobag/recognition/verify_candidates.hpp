@@ -31,14 +31,16 @@ void prefer_determined(std::vector<Pose>& poses, double threshold) {
 }
 
 /// The stages that a candidate passes by itself; `accepted` when all.
-template <typename Report>
-Verdict judge_candidate(const Report& report, const DecisionOptions& options) {
+template <typename Graph>
+Verdict judge_candidate(const CandidateReport& report, const Graph& query,
+                        const DecisionOptions& options) {
   if (!report.pose) return Verdict::no_agreement;
   if (report.pose->degenerate) return Verdict::degenerate;
   if (!(report.margin() >= 0.0)) return Verdict::chance;
-  const bool ambiguous = std::any_of(
-      report.other_poses.begin(), report.other_poses.end(),
-      [&](const auto& other) { return is_rival(other, *report.pose, options.min_lead); });
+  const bool ambiguous =
+      std::any_of(report.other_poses.begin(), report.other_poses.end(), [&](const auto& other) {
+        return is_rival(other, *report.pose, query, report.threshold, options);
+      });
   if (ambiguous) return Verdict::ambiguous;
   return report.rival ? Verdict::rivalled : Verdict::accepted;
 }
@@ -105,7 +107,7 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
   }
   detail::judge_places(bag, query, options, reports);
   for (CandidateReport& report : reports) {
-    report.verdict = detail::judge_candidate(report, options.decision);
+    report.verdict = detail::judge_candidate(report, query, options.decision);
     // A pose that was not judged by its place is of a better one's, or of none among the best.
     const bool passed = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled;
     if (passed && !report.place_support) report.verdict = Verdict::outdone;

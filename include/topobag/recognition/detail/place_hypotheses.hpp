@@ -2,8 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,6 +12,7 @@
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
+#include <topobag/recognition/detail/pose_rivals.hpp>
 #include <topobag/recognition/place_graph.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
@@ -67,7 +68,7 @@ std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, const Reports& rep
   });
   std::vector<PlaceHypothesis> kept;
   for (PlaceHypothesis& hypothesis : all) {
-    if (kept.size() == options.max_hypotheses) break;
+    if (kept.size() == options.max_rivals) break;
     const KeyframeId id = reports[hypothesis.report].id;
     hypothesis.info = info_of(bag, id, 0);
     const bool known = std::any_of(kept.begin(), kept.end(), [&](const PlaceHypothesis& better) {
@@ -78,46 +79,51 @@ std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, const Reports& rep
   return kept;
 }
 
-/// By how many decades a pose has to lead over one that puts the query elsewhere. Where the other
-/// one would be believed by itself, the places are alike, and which of them is ahead is a matter of
-/// noise: the residuals of n objects move −log10 of their likelihood by √(3n/2) / ln 10 (half a χ²
-/// with 3n degrees of freedom), two such by √2 times that.
-inline double lead_to_ask(const RelativePose& pose, bool rival_is_credible,
-                          const DecisionOptions& options) {
-  if (!rival_is_credible) return options.min_lead;
-  const auto objects = static_cast<double>(pose.inliers.size());
-  return options.min_lead + options.lead_deviations * std::sqrt(3.0 * objects) / std::log(10.0);
+/// The pose of one hypothesis in the frame of another one's candidate, where the two share a frame.
+template <typename Reports>
+std::optional<Eigen::Isometry3d> seen_from(const PlaceHypothesis& frame,
+                                           const PlaceHypothesis& other, const Reports& reports) {
+  const Eigen::Isometry3d& T_other = other.pose->T_candidate_query;
+  if (reports[frame.report].id == reports[other.report].id) return T_other;
+  const bool posed =
+      frame.info && other.info && frame.info->T_world_camera && other.info->T_world_camera;
+  if (!posed) return std::nullopt;
+  return frame.info->T_world_camera->inverse() * *other.info->T_world_camera * T_other;
 }
 
-/// Judges the best poses again by the places around them, and names the rivals among these. Writes
+/// Judges the best poses again by the places around them, and names the rivals among all. Writes
 /// into the reports whose own pose was judged.
 template <typename Bag, typename Reports>
 void judge_places(const Bag& bag, const typename Bag::Graph& query,
                   const RecognitionOptions& options, Reports& reports) {
   auto hypotheses = place_hypotheses(bag, reports, options.place);
-  for (PlaceHypothesis& hypothesis : hypotheses) {
+  const std::size_t judged = std::min(options.place.max_hypotheses, hypotheses.size());
+  for (std::size_t i = 0; i < judged; ++i) {
+    PlaceHypothesis& hypothesis = hypotheses[i];
     auto& report = reports[hypothesis.report];
     const auto candidate = bag.find(report.id);
     const auto place =
         place_graph(bag, report.id, *candidate, query, hypothesis.pose->T_candidate_query,
                     options.retrieval, options.matching, options.place);
-    const auto judged =
+    const auto pose =
         judge_pose(place, query, hypothesis.pose->T_candidate_query, options.matching);
-    // A place in which too few objects agree speaks as clearly against the pose as it can.
-    const double place_support = judged ? judged->support() : -options.place.no_agreement_cost;
+    const double least = hypothesis.support - options.place.max_contradiction;
+    const double place_support = pose ? std::max(least, pose->support()) : least;
     hypothesis.support = 0.5 * (hypothesis.support + place_support);
     if (hypothesis.pose == &*report.pose) report.place_support = place_support;
   }
-  for (const PlaceHypothesis& hypothesis : hypotheses) {
+  for (std::size_t i = 0; i < judged; ++i) {
+    const PlaceHypothesis& hypothesis = hypotheses[i];
     auto& report = reports[hypothesis.report];
     if (hypothesis.pose != &*report.pose) continue;
     for (const PlaceHypothesis& other : hypotheses) {
-      const bool elsewhere = other.report != hypothesis.report;  // else told by `other_poses`
-      const double lead =
-          lead_to_ask(*hypothesis.pose, other.support >= report.threshold, options.decision);
-      if (!elsewhere || other.support <= hypothesis.support - lead) continue;
+      if (other.report == hypothesis.report) continue;  // told by `other_poses`
+      const std::size_t elsewhere = objects_put_elsewhere(query, *hypothesis.pose, *other.pose,
+                                                          seen_from(hypothesis, other, reports));
+      const double lead = lead_to_ask(elsewhere, other.support, report.threshold, options.decision);
+      if (other.support <= hypothesis.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;
-      report.rival = RivalPlace{reports[other.report].id, other.support};
+      report.rival = RivalPlace{reports[other.report].id, other.support, lead};
     }
   }
 }

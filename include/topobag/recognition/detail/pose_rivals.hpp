@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/relative_pose.hpp>
+#include <topobag/recognition/decision_options.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -22,13 +29,52 @@ bool within_uncertainty(const Pose& open, const Pose& pose) {
   return xi.dot((open.covariance + pose.covariance).ldlt().solve(xi)) <= chi2_95;
 }
 
+/// Matched objects of the query that another pose puts elsewhere, or leaves unmatched. All of them
+/// where no frame is shared.
+/// @param T_other_query_in_pose  the other pose, in the frame of `pose`'s candidate
+template <typename Graph>
+std::size_t objects_put_elsewhere(const Graph& query, const RelativePose& pose,
+                                  const RelativePose& other,
+                                  const std::optional<Eigen::Isometry3d>& T_other_query_in_pose) {
+  const double same_spot = 0.3;  // m
+  const auto elsewhere = [&](const Correspondence& pair) {
+    const bool both = std::any_of(other.inliers.begin(), other.inliers.end(),
+                                  [&](const auto& there) { return there.query == pair.query; });
+    if (!both || !T_other_query_in_pose) return true;
+    const Eigen::Vector3d at = query.node(pair.query).position->template cast<double>();
+    return (pose.T_candidate_query * at - *T_other_query_in_pose * at).norm() > same_spot;
+  };
+  return static_cast<std::size_t>(
+      std::count_if(pose.inliers.begin(), pose.inliers.end(), elsewhere));
+}
+
+/// By how many decades a pose has to lead over a rival that puts so many of its objects elsewhere.
+/// As far as the rival would be believed by itself, the places are alike, and which of them is
+/// ahead is a matter of noise: the residuals of n objects move −log10 of their likelihood by
+/// √(3n/2) / ln 10 (half a χ² with 3n degrees of freedom), two such by √2 times that.
+inline double lead_to_ask(std::size_t objects_elsewhere, double rival_support, double threshold,
+                          const DecisionOptions& options) {
+  const double believed = threshold > 0.0 ? std::clamp(rival_support / threshold, 0.0, 1.0) : 1.0;
+  const double noise = std::sqrt(3.0 * static_cast<double>(objects_elsewhere)) / std::log(10.0);
+  return options.min_lead + options.lead_deviations * believed * noise;
+}
+
+/// The same over another pose of the candidate itself.
+template <typename Graph>
+double lead_to_ask(const RelativePose& other, const RelativePose& pose, const Graph& query,
+                   double threshold, const DecisionOptions& options) {
+  const std::size_t elsewhere = objects_put_elsewhere(query, pose, other, other.T_candidate_query);
+  return lead_to_ask(elsewhere, other.support(), threshold, options);
+}
+
 /// Whether another pose of the candidate keeps `pose` from being believed: it fits about as well. A
 /// degenerate pose is no answer itself, but says that the answer is elsewhere if it fits better and
 /// does not leave `pose` open.
-template <typename Pose>
-bool is_rival(const Pose& other, const Pose& pose, double min_lead) {
-  if (!other.degenerate) return other.support() > pose.support() - min_lead;
-  return other.score() > pose.score() && !within_uncertainty(other, pose);
+template <typename Graph>
+bool is_rival(const RelativePose& other, const RelativePose& pose, const Graph& query,
+              double threshold, const DecisionOptions& options) {
+  if (other.degenerate) return other.score() > pose.score() && !within_uncertainty(other, pose);
+  return other.support() > pose.support() - lead_to_ask(other, pose, query, threshold, options);
 }
 
 }  // namespace detail
