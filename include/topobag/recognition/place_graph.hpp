@@ -38,27 +38,42 @@ struct Neighbor {
   Eigen::Isometry3d T_candidate_neighbor;
 };
 
+/// The key frames whose cameras stand in a region, by the bag's own word; of one that does not
+/// tell, those that answer a query of it, which are admitted already.
+template <typename Bag>
+auto keyframes_within(const Bag& bag, const typename Bag::Graph&, const QueryOptions&,
+                      const MapRegion& region, int) -> decltype(bag.within(region)) {
+  return bag.within(region);
+}
+template <typename Bag>
+std::vector<KeyframeId> keyframes_within(const Bag& bag, const typename Bag::Graph& query,
+                                         QueryOptions retrieval, const MapRegion& region, long) {
+  if (!retrieval.among.region) retrieval.among.region = region;
+  retrieval.max_results = std::numeric_limits<std::size_t>::max();
+  retrieval.min_score = 0.0;
+  std::vector<KeyframeId> ids;
+  for (const Candidate& candidate : bag.query(query, retrieval)) ids.push_back(candidate.id);
+  return ids;
+}
+
 /// By the world's poses: those whose cameras stood and looked most nearly as the query's.
 template <typename Bag>
 std::vector<Neighbor<typename Bag::Graph>> neighbors_by_pose(
     const Bag& bag, KeyframeId id, const Eigen::Isometry3d& T_world_candidate,
     const Eigen::Isometry3d& T_candidate_query, const typename Bag::Graph& query,
-    QueryOptions retrieval, const PlaceOptions& options) {
+    const QueryOptions& retrieval, const PlaceOptions& options) {
   const Eigen::Isometry3d T_world_query = T_world_candidate * T_candidate_query;
-  if (!retrieval.among.region) {
-    retrieval.among.region = MapRegion{T_world_query.translation(), options.radius};
-  }
-  retrieval.max_results = std::numeric_limits<std::size_t>::max();
-  retrieval.min_score = 0.0;
+  const MapRegion region{T_world_query.translation(), options.radius};
   std::vector<std::pair<double, KeyframeId>> nearest;
-  for (const Candidate& candidate : bag.query(query, retrieval)) {
-    if (candidate.id == id) continue;
-    const auto info = bag.info(candidate.id);
+  for (const KeyframeId near : keyframes_within(bag, query, retrieval, region, 0)) {
+    if (near == id) continue;
+    const auto info = bag.info(near);
+    if (!retrieval.admits(near, *info)) continue;
     const Eigen::Isometry3d between = T_world_query.inverse() * *info->T_world_camera;
     const double distance = between.translation().norm();
     if (distance > options.radius) continue;
     const double turn = Eigen::AngleAxisd(between.linear()).angle();
-    nearest.emplace_back(distance + options.turn_weight * turn, candidate.id);
+    nearest.emplace_back(distance + options.turn_weight * turn, near);
   }
   const std::size_t kept = std::min(options.max_keyframes, nearest.size());
   std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(kept),
@@ -103,7 +118,8 @@ std::vector<Neighbor<typename Bag::Graph>> neighbors_by_id(
 /// agree with, and more for a false one to miss. The neighbours are found by the world's poses;
 /// without them, by their ids in the candidate's session and by matching them with it. Without any,
 /// the place is the candidate's graph. Entries that `retrieval` does not admit are left out.
-/// O(query of the region + key frames · objects²).
+/// O(key frames within the region + key frames that are fused · objects²); a bag without `within`
+/// is asked by a query of the region.
 template <typename Bag>
 typename Bag::Graph place_graph(const Bag& bag, KeyframeId id, const typename Bag::Graph& candidate,
                                 const typename Bag::Graph& query,
