@@ -114,6 +114,8 @@ TEMPLATE_TEST_CASE("a bag behaves like a map that is sorted for each query", "[b
       CHECK(bag.empty() == model.empty());
       CHECK(bag.contains(key) == (model.count(id) == 1));
       CHECK(bag.info(key).has_value() == (model.count(id) == 1));
+      REQUIRE((bag.peek(key) != nullptr) == (model.count(id) == 1));
+      if (bag.peek(key)) CHECK(bag.peek(key)->size() == model[id].graph.size());
     }
     for (const auto& [id, entry] : model) {
       REQUIRE(bag.find(KeyframeId{id}));

@@ -94,6 +94,11 @@ class BagOfTopologyGraphs {
     if (it == entries_.end()) return std::nullopt;
     return it->second.graph;
   }
+  /// The same where it is, or null; until the entry is changed or taken out.
+  const Graph* peek(KeyframeId id) const {
+    const auto it = entries_.find(id);
+    return it == entries_.end() ? nullptr : &it->second.graph;
+  }
 
   /// What is known of the key frame beside its graph, or nothing.
   std::optional<EntryInfo> info(KeyframeId id) const {

@@ -14,6 +14,7 @@
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/match_graphs.hpp>
+#include <topobag/recognition/detail/stored_graph.hpp>
 #include <topobag/recognition/place_options.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -32,9 +33,9 @@ std::optional<EntryInfo> info_of(const Bag&, KeyframeId, long) {
 }
 
 /// A key frame of the map beside the candidate, and where its camera stood.
-template <typename Graph>
+template <typename Bag>
 struct Neighbor {
-  Graph graph;
+  decltype(stored_graph(std::declval<const Bag&>(), KeyframeId{}, 0)) graph;  ///< is there
   Eigen::Isometry3d T_candidate_neighbor;
 };
 
@@ -58,10 +59,12 @@ std::vector<KeyframeId> keyframes_within(const Bag& bag, const typename Bag::Gra
 
 /// By the world's poses: those whose cameras stood and looked most nearly as the query's.
 template <typename Bag>
-std::vector<Neighbor<typename Bag::Graph>> neighbors_by_pose(
-    const Bag& bag, KeyframeId id, const Eigen::Isometry3d& T_world_candidate,
-    const Eigen::Isometry3d& T_candidate_query, const typename Bag::Graph& query,
-    const QueryOptions& retrieval, const PlaceOptions& options) {
+std::vector<Neighbor<Bag>> neighbors_by_pose(const Bag& bag, KeyframeId id,
+                                             const Eigen::Isometry3d& T_world_candidate,
+                                             const Eigen::Isometry3d& T_candidate_query,
+                                             const typename Bag::Graph& query,
+                                             const QueryOptions& retrieval,
+                                             const PlaceOptions& options) {
   const Eigen::Isometry3d T_world_query = T_world_candidate * T_candidate_query;
   const MapRegion region{T_world_query.translation(), options.radius};
   std::vector<std::pair<double, KeyframeId>> nearest;
@@ -79,31 +82,33 @@ std::vector<Neighbor<typename Bag::Graph>> neighbors_by_pose(
   std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(kept),
                     nearest.end());
   nearest.resize(kept);
-  std::vector<Neighbor<typename Bag::Graph>> neighbors;
+  std::vector<Neighbor<Bag>> neighbors;
   for (const auto& [distance, near] : nearest) {
-    neighbors.push_back(
-        {*bag.find(near), T_world_candidate.inverse() * *bag.info(near)->T_world_camera});
+    neighbors.push_back({stored_graph(bag, near, 0),
+                         T_world_candidate.inverse() * *bag.info(near)->T_world_camera});
   }
   return neighbors;
 }
 
 /// Without poses: those whose ids are next to the candidate's in its session, where they match it.
 template <typename Bag>
-std::vector<Neighbor<typename Bag::Graph>> neighbors_by_id(
-    const Bag& bag, KeyframeId id, const EntryInfo& info, const typename Bag::Graph& candidate,
-    const QueryOptions& retrieval, const MatchOptions& matching, const PlaceOptions& options) {
-  std::vector<Neighbor<typename Bag::Graph>> neighbors;
+std::vector<Neighbor<Bag>> neighbors_by_id(const Bag& bag, KeyframeId id, const EntryInfo& info,
+                                           const typename Bag::Graph& candidate,
+                                           const QueryOptions& retrieval,
+                                           const MatchOptions& matching,
+                                           const PlaceOptions& options) {
+  std::vector<Neighbor<Bag>> neighbors;
   for (std::size_t step = options.max_neighbors; step > 0; --step) {
     for (const bool before : {true, false}) {
       const KeyframeId near{before ? value(id) - step : value(id) + step};
       const auto there = info_of(bag, near, 0);
       if (!there || there->session != info.session || !retrieval.admits(near, *there)) continue;
-      auto graph = bag.find(near);
+      auto graph = stored_graph(bag, near, 0);
       if (!graph) continue;
       const GraphMatch match = match_graphs(candidate, *graph, matching);
       const bool sure = !match.poses.empty() && !match.poses.front().degenerate &&
                         match.poses.front().support() >= 3.0;  // odds of a thousand to one
-      if (sure) neighbors.push_back({std::move(*graph), match.poses.front().T_candidate_query});
+      if (sure) neighbors.push_back({std::move(graph), match.poses.front().T_candidate_query});
     }
   }
   return neighbors;
@@ -129,7 +134,7 @@ typename Bag::Graph place_graph(const Bag& bag, KeyframeId id, const typename Ba
                                 const PlaceOptions& options = {}) {
   using Scalar = typename Bag::Graph::Scalar;
   using Pose = typename LocalGraph<Scalar>::Pose;
-  std::vector<detail::Neighbor<typename Bag::Graph>> neighbors;
+  std::vector<detail::Neighbor<Bag>> neighbors;
   if (const auto info = detail::info_of(bag, id, 0)) {
     neighbors =
         info->T_world_camera
@@ -154,7 +159,7 @@ typename Bag::Graph place_graph(const Bag& bag, KeyframeId id, const typename Ba
   };
   // The farthest first, and the candidate, whose frame it is to be, last.
   for (auto it = neighbors.rbegin(); it != neighbors.rend(); ++it) {
-    add(it->graph, it->T_candidate_neighbor);
+    add(*it->graph, it->T_candidate_neighbor);
   }
   add(candidate, Eigen::Isometry3d::Identity());
   const auto fused = local.graph([](const auto&) { return EdgeList{}; });

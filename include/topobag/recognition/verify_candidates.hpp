@@ -13,6 +13,7 @@
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
+#include <topobag/recognition/detail/stored_graph.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 
@@ -98,7 +99,7 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
   const double threshold = options.decision.threshold(recognition.places);
   auto& reports = recognition.candidates;
   for (const Candidate& candidate : candidates) {
-    const auto graph = bag.find(candidate.id);
+    const auto graph = detail::stored_graph(bag, candidate.id, 0);
     if (!graph) continue;
     reports.push_back(
         detail::matched_report(candidate, *graph, query, options.matching, threshold));

@@ -12,6 +12,7 @@
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
+#include <topobag/recognition/detail/stored_graph.hpp>
 #include <topobag/recognition/place_graph.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
@@ -97,7 +98,7 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
   auto hypotheses = place_hypotheses(bag, reports, options.place);
   for (PlaceHypothesis& hypothesis : hypotheses) {
     auto& report = reports[hypothesis.report];
-    const auto candidate = bag.find(report.id);
+    const auto candidate = stored_graph(bag, report.id, 0);
     const auto place =
         place_graph(bag, report.id, *candidate, query, hypothesis.pose->T_candidate_query,
                     options.retrieval, options.matching, options.place);
