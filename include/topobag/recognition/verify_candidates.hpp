@@ -85,6 +85,11 @@ std::size_t places_of(const Bag&, std::size_t candidates, long) {
 /// candidate with a pose in the world, or, without poses, in one of another session or whose id is
 /// at least `PlaceOptions::min_id_gap` away.
 ///
+/// Every candidate is matched. What could tell beforehand that one cannot come into question is too
+/// weak to pay: in rooms, the best bound that the number of pairs could give leaves out 1 to 13 %
+/// of the candidates and 1 to 7 % of the time, that of the largest consistent set less than 1 % of
+/// it.
+///
 /// @param bag         gives the candidates' graphs by `find`, and what is known of them by `info`
 /// @param candidates  from `bag.query`
 /// Deterministic; ties go to the smaller id.
