@@ -5,11 +5,17 @@
 
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/indexed_bag.hpp>
+#include <topobag/similarity/class_pair_distance_histogram.hpp>
+#include <topobag/similarity/similarity.hpp>
 
 #include "recombined_graphs.hpp"
 
+/// The default's, of which the bag does not know that it is a Jaccard index.
+struct UnknownSimilarity : topobag::ClassPairDistanceHistogram {};
+
 /// Compares a query with every graph.
-using BruteForceBag = topobag::BagOfTopologyGraphs<>;
+using BruteForceBag = topobag::BagOfTopologyGraphs<topobag::TopologyGraph<>, UnknownSimilarity>;
+static_assert(!topobag::is_jaccard_v<UnknownSimilarity>);
 
 /// Key frames of `places` places, ten of each in a row, under the ids 0, 1, …
 inline topobag::IndexedBag bag_of(RecombinedGraphs& source, std::size_t places) {
@@ -26,7 +32,7 @@ inline topobag::IndexedBag bag_of(RecombinedGraphs& source, std::size_t places) 
 /// The same entries, to be asked one by one.
 inline BruteForceBag brute_force_of(const topobag::IndexedBag& bag,
                                     const topobag::ClassPairDistanceHistogram& similarity = {}) {
-  BruteForceBag all(similarity);
+  BruteForceBag all(UnknownSimilarity{similarity});
   bag.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info,
                    const topobag::TopologyGraph<>& graph) { all.add(id, graph, info); });
   return all;

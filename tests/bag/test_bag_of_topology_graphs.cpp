@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/similarity/class_histogram.hpp>
 
 #include "bag/refusals.hpp"
 #include "catch.hpp"
@@ -62,7 +63,7 @@ void check_query(const BagOfTopologyGraphs<Graph, Similarity>& bag,
 }  // namespace
 
 TEMPLATE_TEST_CASE("a bag behaves like a map that is sorted for each query", "[bag]",
-                   ClassPairDistanceHistogram, SameSize) {
+                   ClassPairDistanceHistogram, ClassHistogram, SameSize) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<std::uint64_t> id_of(0, 30);
@@ -113,6 +114,8 @@ TEMPLATE_TEST_CASE("a bag behaves like a map that is sorted for each query", "[b
       CHECK(bag.empty() == model.empty());
       CHECK(bag.contains(key) == (model.count(id) == 1));
       CHECK(bag.info(key).has_value() == (model.count(id) == 1));
+      REQUIRE((bag.peek(key) != nullptr) == (model.count(id) == 1));
+      if (bag.peek(key)) CHECK(bag.peek(key)->size() == model[id].graph.size());
     }
     for (const auto& [id, entry] : model) {
       REQUIRE(bag.find(KeyframeId{id}));
@@ -136,6 +139,25 @@ TEST_CASE("the order of adding does not matter", "[bag]") {
   for (const std::size_t i : random_order(random, 20)) shuffled.add(KeyframeId{i}, graphs[i]);
   const Graph query = random_graph(random, 5);
   CHECK(forth.query(query) == shuffled.query(query));
+}
+
+TEST_CASE("a bag tells which cameras stand in a region, whatever was added and taken", "[bag]") {
+  BagOfTopologyGraphs<> bag;
+  const auto at = [](double x) {
+    EntryInfo info;
+    info.T_world_camera = Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, 0.0));
+    return info;
+  };
+  for (const std::uint64_t id : {4u, 2u, 3u}) bag.add(KeyframeId{id}, Graph{}, at(0.5));
+  bag.add(KeyframeId{5}, Graph{});
+  bag.update(KeyframeId{3}, Graph{}, at(10.0));
+  bag.erase(KeyframeId{4});
+  const auto copy = bag;
+  bag.clear();
+  CHECK(bag.within({Eigen::Vector3d::Zero(), 1e3}).empty());
+  CHECK(copy.within({Eigen::Vector3d::Zero(), 1.0}) == std::vector<KeyframeId>{KeyframeId{2}});
+  CHECK(copy.within({Eigen::Vector3d::Zero(), 20.0}) ==
+        std::vector<KeyframeId>{KeyframeId{2}, KeyframeId{3}});
 }
 
 TEST_CASE("ties are cut off by id", "[bag]") {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -31,6 +33,18 @@ EntryInfo standing_at(const Eigen::Isometry3d& T_world_camera) {
   return info;
 }
 
+/// A bag that does not tell which cameras stand in a region.
+struct QueriedBag {
+  using Graph = TopologyGraph<>;
+  const BagOfTopologyGraphs<>& bag;
+
+  std::vector<Candidate> query(const Graph& graph, const QueryOptions& options) const {
+    return bag.query(graph, options);
+  }
+  std::optional<Graph> find(KeyframeId id) const { return bag.find(id); }
+  std::optional<EntryInfo> info(KeyframeId id) const { return bag.info(id); }
+};
+
 }  // namespace
 
 TEST_CASE("a place holds the objects of all key frames around, in the candidate's frame",
@@ -54,6 +68,39 @@ TEST_CASE("a place holds the objects of all key frames around, in the candidate'
     }
     CHECK(there);
   }
+}
+
+TEST_CASE("a place is the same whether the bag tells its region or is queried", "[recognition]") {
+  std::size_t found = 0;
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    std::mt19937 random(seed);
+    const SyntheticRoom room(3, 10, 10);
+    BagOfTopologyGraphs<> bag;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const Eigen::Isometry3d camera = random_camera(random);
+      EntryInfo info = standing_at(camera);
+      info.session = static_cast<std::uint32_t>(i % 3);
+      if (i % 5 == 0) info.T_world_camera.reset();
+      bag.add(KeyframeId{i}, half_of(room.seen_from(camera), i % 2), info);
+    }
+    const TopologyGraph<> query = room.seen_from(random_camera(random));
+    PlaceOptions options;
+    options.radius = 0.5 + 0.5 * seed;
+    QueryOptions retrieval;
+    if (seed % 2 == 0) retrieval.among.sessions = {0, 1};
+    const auto neighbors = [&](const auto& of_bag) {
+      std::vector<Eigen::Vector3d> stands;
+      const auto known = bag.info(KeyframeId{1});
+      for (const auto& neighbor : detail::neighbors_by_pose(
+               of_bag, KeyframeId{1}, *known->T_world_camera, here, query, retrieval, options)) {
+        stands.push_back(neighbor.T_candidate_neighbor.translation());
+      }
+      return stands;
+    };
+    CHECK(neighbors(bag) == neighbors(QueriedBag{bag}));
+    found += neighbors(bag).size();
+  }
+  CHECK(found > 10);
 }
 
 TEST_CASE("what the query does not look at is no part of its place", "[recognition]") {

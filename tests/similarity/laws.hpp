@@ -10,6 +10,7 @@
 #include <topobag/edges/knn_edges.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/similarity/similarity.hpp>
+#include <topobag/similarity/sparse_histogram.hpp>
 
 #include "catch.hpp"
 #include "random_graphs.hpp"
@@ -61,6 +62,9 @@ void check_definition(const Similarity& similarity) {
       CHECK(s <= 1.0);
       CHECK(similarity(q, p) == s);
       CHECK(similarity.similarity(similarity.descriptor(p), similarity.descriptor(q)) == s);
+      if constexpr (topobag::is_jaccard_v<Similarity>) {
+        CHECK(topobag::jaccard(similarity.descriptor(p), similarity.descriptor(q)) == s);
+      }
     }
   }
   CHECK(similarity(Graph{}, Graph{}) == 0.0);

@@ -6,9 +6,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <topobag/bag/detail/camera_grid.hpp>
+#include <topobag/bag/detail/histogram_index.hpp>
+#include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/place_count.hpp>
 #include <topobag/bag/query.hpp>
@@ -24,8 +28,9 @@ inline namespace v0 {
 /// The paper's bag of topology graphs: one graph per key frame, asked for those that resemble a
 /// query.
 ///
-/// A query compares every entry (brute force); a similarity with a `descriptor` has it worked out
-/// once, at `add`. Results do not depend on the order in which entries came.
+/// A query compares every entry; a similarity with a `descriptor` has it worked out once, at `add`,
+/// and one that is a `jaccard` (`is_jaccard_v`) costs no more than what entries have in common with
+/// the query. Results do not depend on the order in which entries came.
 template <typename Graph_ = TopologyGraph<double>,
           typename Similarity_ = ClassPairDistanceHistogram>
 class BagOfTopologyGraphs {
@@ -46,8 +51,8 @@ class BagOfTopologyGraphs {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
-    const auto added = entries_.emplace(id, make_entry(std::move(graph), std::move(info))).first;
-    places_.add(id, added->second.info);
+    Entry entry = make_entry(std::move(graph), std::move(info));
+    place(id, entries_.emplace(id, std::move(entry)).first->second);
   }
 
   /// Replaces a key frame's graph and info. Throws InvalidId if `id` is not there.
@@ -57,22 +62,24 @@ class BagOfTopologyGraphs {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
     Entry entry = make_entry(std::move(graph), std::move(info));
-    places_.remove(id, it->second.info);
+    displace(id, it->second);
     it->second = std::move(entry);
-    places_.add(id, it->second.info);
+    place(id, it->second);
   }
 
   /// Takes a key frame out; false if it was not there.
   bool erase(KeyframeId id) {
     const auto it = entries_.find(id);
     if (it == entries_.end()) return false;
-    places_.remove(id, it->second.info);
+    displace(id, it->second);
     entries_.erase(it);
     return true;
   }
   void clear() noexcept {
     entries_.clear();
     places_.clear();
+    cameras_.clear();
+    index_.clear();
   }
 
   bool contains(KeyframeId id) const { return entries_.count(id) != 0; }
@@ -86,6 +93,11 @@ class BagOfTopologyGraphs {
     const auto it = entries_.find(id);
     if (it == entries_.end()) return std::nullopt;
     return it->second.graph;
+  }
+  /// The same where it is, or null; until the entry is changed or taken out.
+  const Graph* peek(KeyframeId id) const {
+    const auto it = entries_.find(id);
+    return it == entries_.end() ? nullptr : &it->second.graph;
   }
 
   /// What is known of the key frame beside its graph, or nothing.
@@ -101,10 +113,34 @@ class BagOfTopologyGraphs {
     for (const auto& [id, entry] : entries_) f(id, entry.info, entry.graph);
   }
 
-  /// The entries most similar to `graph`, best first, ties by id. O(n · similarity).
+  /// The key frames whose cameras stand in the region, by rising id; without a pose they are
+  /// nowhere. O(log n · rows of 3 m cells that it meets + key frames in these).
+  std::vector<KeyframeId> within(const MapRegion& region) const { return cameras_.within(region); }
+
+  /// The entries most similar to `graph`, best first, ties by id. O(n · similarity). An options'
+  /// `filter` need not be asked of an entry that is not among the best anyway.
   std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {
-    std::vector<Candidate> found;
     const auto key = key_of(graph);
+    if constexpr (indexed) {
+      const bool restricts = options.restricts();
+      return index_.query(key, options, [&](KeyframeId id) {
+        return !restricts || options.admits(id, entries_.find(id)->second.info);
+      });
+    } else {
+      return compare_all(key, options);
+    }
+  }
+
+ private:
+  static constexpr bool precomputed = has_descriptor_v<Similarity, Graph>;
+  static constexpr bool indexed = is_jaccard_v<Similarity>;
+  struct Nothing {
+    void clear() noexcept {}
+  };
+
+  template <typename Key>
+  std::vector<Candidate> compare_all(const Key& key, const QueryOptions& options) const {
+    std::vector<Candidate> found;
     for (const auto& [id, entry] : entries_) {
       if (!options.admits(id, entry.info)) continue;
       const double score = score_of(key, entry);
@@ -117,10 +153,6 @@ class BagOfTopologyGraphs {
     return found;
   }
 
- private:
-  static constexpr bool precomputed = has_descriptor_v<Similarity, Graph>;
-  struct Nothing {};
-
   auto key_of(const Graph& graph) const {
     if constexpr (precomputed) {
       return similarity_.descriptor(graph);
@@ -129,32 +161,49 @@ class BagOfTopologyGraphs {
     }
   }
 
-  template <typename S, bool = precomputed>
+  /// What an entry keeps to be compared: its slot in the index, a descriptor, or nothing.
+  template <typename S, bool = precomputed, bool = indexed>
   struct KeyOf {
     using type = Nothing;
   };
   template <typename S>
-  struct KeyOf<S, true> {
-    using type = decltype(std::declval<const S&>().descriptor(std::declval<const Graph&>()));
+  struct KeyOf<S, true, false> {
+    using type = descriptor_t<S, Graph>;
+  };
+  template <typename S>
+  struct KeyOf<S, true, true> {
+    using type = std::size_t;
   };
 
   struct Entry {
     Graph graph;
     EntryInfo info;
-    typename KeyOf<Similarity>::type descriptor;
+    typename KeyOf<Similarity>::type key;
   };
 
   Entry make_entry(Graph graph, EntryInfo info) const {
     info.validate();
     Entry entry{std::move(graph), std::move(info), {}};
-    if constexpr (precomputed) entry.descriptor = similarity_.descriptor(entry.graph);
+    if constexpr (precomputed && !indexed) entry.key = similarity_.descriptor(entry.graph);
     return entry;
+  }
+
+  /// Makes an entry known to everything that finds entries.
+  void place(KeyframeId id, Entry& entry) {
+    places_.add(id, entry.info);
+    cameras_.add(id, entry.info);
+    if constexpr (indexed) entry.key = index_.add(id, similarity_.descriptor(entry.graph));
+  }
+  void displace(KeyframeId id, const Entry& entry) {
+    places_.remove(id, entry.info);
+    cameras_.remove(id, entry.info);
+    if constexpr (indexed) index_.remove(entry.key, similarity_.descriptor(entry.graph));
   }
 
   template <typename Key>
   double score_of(const Key& key, const Entry& entry) const {
     if constexpr (precomputed) {
-      return similarity_.similarity(key, entry.descriptor);
+      return similarity_.similarity(key, entry.key);
     } else {
       return similarity_(*key, entry.graph);
     }
@@ -163,6 +212,8 @@ class BagOfTopologyGraphs {
   Similarity similarity_;
   std::map<KeyframeId, Entry> entries_;
   PlaceCount places_;
+  detail::CameraGrid cameras_;
+  std::conditional_t<indexed, detail::HistogramIndex, Nothing> index_;
 };
 
 }  // namespace v0

@@ -13,6 +13,7 @@
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
+#include <topobag/recognition/detail/stored_graph.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 
@@ -86,6 +87,11 @@ std::size_t places_of(const Bag&, std::size_t candidates, long) {
 /// candidate with a pose in the world, or, without poses, in one of another session or whose id is
 /// at least `PlaceOptions::min_id_gap` away.
 ///
+/// Every candidate is matched. What could tell beforehand that one cannot come into question is too
+/// weak to pay: in rooms, the best bound that the number of pairs could give leaves out 1 to 13 %
+/// of the candidates and 1 to 7 % of the time, that of the largest consistent set less than 1 % of
+/// it.
+///
 /// @param bag         gives the candidates' graphs by `find`, and what is known of them by `info`
 /// @param candidates  from `bag.query`
 /// Deterministic; ties go to the smaller id.
@@ -100,7 +106,7 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
   const double threshold = options.decision.threshold(recognition.places);
   auto& reports = recognition.candidates;
   for (const Candidate& candidate : candidates) {
-    const auto graph = bag.find(candidate.id);
+    const auto graph = detail::stored_graph(bag, candidate.id, 0);
     if (!graph) continue;
     reports.push_back(
         detail::matched_report(candidate, *graph, query, options.matching, threshold));

@@ -13,6 +13,7 @@
 #include <topobag/similarity/class_weights.hpp>
 #include <topobag/similarity/detail/histogram_word.hpp>
 #include <topobag/similarity/detail/soft_bins.hpp>
+#include <topobag/similarity/similarity.hpp>
 #include <topobag/similarity/sparse_histogram.hpp>
 
 namespace topobag {
@@ -106,6 +107,10 @@ struct ClassPairDistanceHistogram {
     return similarity(descriptor(p), descriptor(q));
   }
 };
+
+/// By a merge of two histograms.
+template <>
+inline constexpr bool is_jaccard_v<ClassPairDistanceHistogram> = true;
 
 }  // namespace v0
 }  // namespace topobag

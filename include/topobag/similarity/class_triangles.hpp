@@ -12,6 +12,7 @@
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/similarity/detail/histogram_word.hpp>
 #include <topobag/similarity/detail/soft_bins.hpp>
+#include <topobag/similarity/similarity.hpp>
 #include <topobag/similarity/sparse_histogram.hpp>
 
 namespace topobag {
@@ -86,6 +87,10 @@ struct ClassTriangles {
     }
   }
 };
+
+/// By a merge of two histograms.
+template <>
+inline constexpr bool is_jaccard_v<ClassTriangles> = true;
 
 }  // namespace v0
 }  // namespace topobag

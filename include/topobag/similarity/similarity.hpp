@@ -41,6 +41,12 @@ struct has_descriptor<
 template <typename S, typename Graph>
 inline constexpr bool has_descriptor_v = detail::has_descriptor<S, Graph>::value;
 
+/// Whether the descriptors of `S` are `SparseHistogram`s without negative weights, and `jaccard` is
+/// what it compares them by: a bag then reads of its entries only what they have in common with a
+/// query. To be specialised; what derives from such an `S` is not one by that.
+template <typename S>
+inline constexpr bool is_jaccard_v = false;
+
 /// The type of `s.descriptor(graph)`.
 template <typename S, typename Graph>
 using descriptor_t =

@@ -102,6 +102,12 @@ double sum_over_common(const SparseHistogram& a, const SparseHistogram& b, const
   return sum;
 }
 
+/// Of what two multisets have in common and of the total of each.
+inline double jaccard_index(double common, double total_a, double total_b) noexcept {
+  const double all = total_a + total_b - common;
+  return all > 0.0 ? std::min(common / all, 1.0) : 0.0;
+}
+
 }  // namespace detail
 
 /// Σ of the products of the weights of common words. O(entries of both).
@@ -120,8 +126,7 @@ inline double unit_cosine(const SparseHistogram& a, const SparseHistogram& b) {
 inline double jaccard(const SparseHistogram& a, const SparseHistogram& b) {
   const double common =
       detail::sum_over_common(a, b, [](double x, double y) { return std::min(x, y); });
-  const double all = a.total() + b.total() - common;
-  return all > 0.0 ? std::min(common / all, 1.0) : 0.0;
+  return detail::jaccard_index(common, a.total(), b.total());
 }
 
 }  // namespace v0

@@ -13,6 +13,7 @@
 #include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
+#include <topobag/recognition/detail/stored_graph.hpp>
 #include <topobag/recognition/place_graph.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
@@ -101,7 +102,7 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
   for (std::size_t i = 0; i < judged; ++i) {
     PlaceHypothesis& hypothesis = hypotheses[i];
     auto& report = reports[hypothesis.report];
-    const auto candidate = bag.find(report.id);
+    const auto candidate = stored_graph(bag, report.id, 0);
     const auto place =
         place_graph(bag, report.id, *candidate, query, hypothesis.pose->T_candidate_query,
                     options.retrieval, options.matching, options.place);
