@@ -2,6 +2,7 @@
 #include "camera_option.hpp"
 
 #include <cstddef>
+#include <sstream>
 
 #include "number_list.hpp"
 
@@ -60,6 +61,13 @@ topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageS
   if (camera.width == 0) {
     camera.width = size.width;
     camera.height = size.height;
+  }
+  if (!camera.in_image({camera.cx, camera.cy})) {
+    std::ostringstream why;
+    why << "the principal point " << camera.cx << ", " << camera.cy << " lies outside the image of "
+        << camera.width << " x " << camera.height
+        << " px; are the intrinsics of another image size?";
+    throw InputError("--camera", why.str());
   }
   return camera;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/place_count.hpp>
 #include <topobag/bag/query.hpp>
+#include <topobag/bag/savable_graph.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/similarity/class_pair_distance_histogram.hpp>
@@ -40,14 +42,14 @@ class BagOfTopologyGraphs {
   explicit BagOfTopologyGraphs(Similarity similarity = {}) : similarity_(std::move(similarity)) {}
 
   /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
-  /// for an entry that is not finite. O(log n + descriptor).
+  /// as `EntryInfo::validate` and, of a `TopologyGraph`, `require_savable`. O(log n + descriptor).
   void add(KeyframeId id, Graph graph, EntryInfo info = {}) {
     if (contains(id)) {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
     const auto added = entries_.emplace(id, make_entry(std::move(graph), std::move(info))).first;
-    places_.add(id, added->second.info);
+    places_.add(id, added->second->info);
   }
 
   /// Replaces a key frame's graph and info. Throws InvalidId if `id` is not there.
@@ -56,17 +58,17 @@ class BagOfTopologyGraphs {
     if (it == entries_.end()) {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
-    Entry entry = make_entry(std::move(graph), std::move(info));
-    places_.remove(id, it->second.info);
+    std::shared_ptr<const Entry> entry = make_entry(std::move(graph), std::move(info));
+    places_.remove(id, it->second->info);
     it->second = std::move(entry);
-    places_.add(id, it->second.info);
+    places_.add(id, it->second->info);
   }
 
   /// Takes a key frame out; false if it was not there.
   bool erase(KeyframeId id) {
     const auto it = entries_.find(id);
     if (it == entries_.end()) return false;
-    places_.remove(id, it->second.info);
+    places_.remove(id, it->second->info);
     entries_.erase(it);
     return true;
   }
@@ -85,20 +87,23 @@ class BagOfTopologyGraphs {
   std::optional<Graph> find(KeyframeId id) const {
     const auto it = entries_.find(id);
     if (it == entries_.end()) return std::nullopt;
-    return it->second.graph;
+    return it->second->graph;
   }
 
   /// What is known of the key frame beside its graph, or nothing.
   std::optional<EntryInfo> info(KeyframeId id) const {
     const auto it = entries_.find(id);
     if (it == entries_.end()) return std::nullopt;
-    return it->second.info;
+    return it->second->info;
   }
 
-  /// Calls f(KeyframeId, const EntryInfo&, const Graph&) for every entry, by rising id.
+  /// Calls f(KeyframeId, const EntryInfo&, const Graph&) for every entry that is there when the
+  /// call begins, by rising id; f may change the bag. O(n).
   template <typename F>
   void for_each(F&& f) const {
-    for (const auto& [id, entry] : entries_) f(id, entry.info, entry.graph);
+    const std::vector<std::pair<KeyframeId, std::shared_ptr<const Entry>>> now(entries_.begin(),
+                                                                               entries_.end());
+    for (const auto& [id, entry] : now) f(id, entry->info, entry->graph);
   }
 
   /// The entries most similar to `graph`, best first, ties by id. O(n · similarity).
@@ -106,8 +111,8 @@ class BagOfTopologyGraphs {
     std::vector<Candidate> found;
     const auto key = key_of(graph);
     for (const auto& [id, entry] : entries_) {
-      if (!options.admits(id, entry.info)) continue;
-      const double score = score_of(key, entry);
+      if (!options.admits(id, entry->info)) continue;
+      const double score = score_of(key, *entry);
       if (score >= options.min_score) found.push_back({id, score});
     }
     const std::size_t kept = std::min(options.max_results, found.size());
@@ -144,10 +149,11 @@ class BagOfTopologyGraphs {
     typename KeyOf<Similarity>::type descriptor;
   };
 
-  Entry make_entry(Graph graph, EntryInfo info) const {
+  std::shared_ptr<const Entry> make_entry(Graph graph, EntryInfo info) const {
     info.validate();
-    Entry entry{std::move(graph), std::move(info), {}};
-    if constexpr (precomputed) entry.descriptor = similarity_.descriptor(entry.graph);
+    if constexpr (detail::is_topology_graph_v<Graph>) require_savable(graph);
+    auto entry = std::make_shared<Entry>(Entry{std::move(graph), std::move(info), {}});
+    if constexpr (precomputed) entry->descriptor = similarity_.descriptor(entry->graph);
     return entry;
   }
 
@@ -161,7 +167,7 @@ class BagOfTopologyGraphs {
   }
 
   Similarity similarity_;
-  std::map<KeyframeId, Entry> entries_;
+  std::map<KeyframeId, std::shared_ptr<const Entry>> entries_;  ///< for_each's stay while it walks
   PlaceCount places_;
 };
 

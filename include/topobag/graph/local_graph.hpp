@@ -21,6 +21,8 @@
 #include <topobag/graph/view.hpp>
 #include <topobag/sensing/node_noise.hpp>
 #include <topobag/sensing/same_object.hpp>
+#include <topobag/types/rigid_motion.hpp>
+#include <topobag/types/stamp.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -62,17 +64,16 @@ class LocalGraph {
   /// @param T_previous_current  from this key frame's camera to the last one's; the first has none
   /// @param view                the key frame's camera and occluders; `T_graph_camera` is ignored
   /// @param gravity             which way is down in the key frame's camera frame, where it knows
-  /// Throws InvalidValue for a stamp that goes back, for a pose or a camera that is not finite,
-  /// and, with its index, for a node that a graph would refuse, and a gravity alike.
-  /// O(objects² + objects · nodes).
+  /// Throws InvalidValue for a stamp that goes back, for a pose that is no rigid motion, a camera
+  /// that is not finite, and, with its index, for a node that a graph would refuse, and a gravity
+  /// alike. O(objects² + objects · nodes).
   void add(double stamp, const std::vector<Node>& nodes, const Pose& T_previous_current,
            View<Scalar> view = {}, std::optional<Gravity<Scalar>> gravity = std::nullopt) {
-    if (!std::isfinite(stamp) || (!frames_.empty() && stamp < frames_.back().stamp)) {
-      throw InvalidValue("a local graph's stamps must be finite and must not go back");
+    require_seconds(stamp);
+    if (!frames_.empty() && stamp < frames_.back().stamp) {
+      throw InvalidValue("a local graph's stamps must not go back");
     }
-    if (!frames_.empty() && !T_previous_current.matrix().allFinite()) {
-      throw InvalidValue("the relative pose is not finite");
-    }
+    if (!frames_.empty()) require_rigid(T_previous_current, "the relative pose");
     if (view.camera.fx != Scalar(0)) view.camera.validate();
     const TopologyGraph<Scalar> shown(nodes, {}, {}, gravity);
     const std::vector<Node> sighted = placed(shown);
