@@ -38,8 +38,9 @@ std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading&
     const auto label = topobag::parse_whole(fields[0]);
     if (!label) throw lines.error("the class '" + std::string(fields[0]) + "' is no whole number");
     if (*label < 0 || static_cast<std::size_t>(*label) >= reading.classes.size()) {
-      throw lines.error("there is no class " + std::to_string(*label) + "; the names number 0 to " +
-                        std::to_string(reading.classes.size() - 1) + ", give --names");
+      throw lines.error("there is no class " + std::to_string(*label) + " among 0 to " +
+                        std::to_string(reading.classes.size() - 1) +
+                        "; give the detector's own classes by --names");
     }
     const double cx = share_of(lines, fields[1], "cx"), cy = share_of(lines, fields[2], "cy");
     const double w = share_of(lines, fields[3], "w"), h = share_of(lines, fields[4], "h");

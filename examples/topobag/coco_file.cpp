@@ -109,6 +109,7 @@ std::vector<CocoImage> read_coco(const std::string& path, const topobag::ClassCa
           called != categories.end() ? catalog.at(called->second) : coco_class(category);
       images[image->second].boxes.push_back(detection_of(entry, label));
     }
+    number = 0;
     require_pixels(images);
   } catch (const std::exception& error) {
     throw InputError(path + (number > 0 ? ", entry " + std::to_string(number) : "") + ": " +

@@ -73,11 +73,17 @@ class LocalGraph {
     if (!frames_.empty() && stamp < frames_.back().stamp) {
       throw InvalidValue("a local graph's stamps must not go back");
     }
-    if (!frames_.empty()) require_rigid(T_previous_current, "the relative pose");
+    // Put right, as a window is a product of many.
+    Pose T_current_previous = Pose::Identity();
+    if (!frames_.empty()) {
+      const Eigen::Isometry3d T = nearest_rigid(T_previous_current.matrix().template cast<double>(),
+                                                "the relative pose", computed_rotation_tolerance);
+      T_current_previous = T.template cast<Scalar>().inverse();
+    }
     if (view.camera.fx != Scalar(0)) view.camera.validate();
     const TopologyGraph<Scalar> shown(nodes, {}, {}, gravity);
     const std::vector<Node> sighted = placed(shown);
-    if (!frames_.empty()) move_to_frame(T_previous_current.inverse());
+    if (!frames_.empty()) move_to_frame(T_current_previous);
     forget_before(stamp - options_.window);
     view.T_graph_camera.setIdentity();
     frames_.push_back({stamp, next_view_, std::move(view), shown.gravity()});

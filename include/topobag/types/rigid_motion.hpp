@@ -54,11 +54,13 @@ void require_rigid(const Transform& T, const std::string& what,
 }
 
 /// The rigid motion nearest to a 4 × 4 matrix that is one within `tolerance`: what rounding left
-/// askew is put right. Throws as `require_rigid`.
+/// askew is put right; what is askew by less than 1e-12 stays as it is, to the last bit. Throws as
+/// `require_rigid`.
 template <typename Matrix>
 Eigen::Isometry3d nearest_rigid(const Matrix& matrix, const std::string& what, double tolerance) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.matrix() = matrix;
+  if (detail::unrigid_part(T.matrix(), 1e-12).empty()) return T;
   require_rigid(T, what, tolerance);
   T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
   return T;
