@@ -11,6 +11,7 @@
 #include <topobag/adaptors/opencv.hpp>
 #include <topobag/sensing/range_detections.hpp>
 
+#include "camera_option.hpp"
 #include "input_error.hpp"
 #include "progress.hpp"
 
@@ -41,6 +42,7 @@ void require_size(const cv::Mat& image, const std::string& path, topobag::Pinhol
     camera.width = image.cols;
     camera.height = image.rows;
   }
+  require_principal_point(camera);
   if (image.cols != camera.width || image.rows != camera.height) {
     throw InputError(path, "the image is " + std::to_string(image.cols) + " x " +
                                std::to_string(image.rows) + " px, the camera's " +
