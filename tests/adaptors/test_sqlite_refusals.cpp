@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -213,12 +214,13 @@ TEST_CASE("a session is added whole or not at all", "[sqlite]") {
     CHECK(map.sessions().empty());
     CHECK(map.bag().size() == 1);
     map.erase(KeyframeId{3});
-    CHECK(map.add_session("Tuesday", run) == 1);
+    CHECK(map.add_session("Tuesday", run) == 0);
+    CHECK(map.begin_session("Wednesday") == 1);
     CHECK(map.bag().size() == 5);
   }
   const SqliteBag<> map(path, read_only());
-  CHECK(map.bag().info(KeyframeId{4})->session == 1);
-  REQUIRE(map.sessions().size() == 1);
+  CHECK(map.bag().info(KeyframeId{4})->session == 0);
+  REQUIRE(map.sessions().size() == 2);
   CHECK(map.sessions()[0].name == "Tuesday");
 }
 
@@ -228,9 +230,14 @@ TEST_CASE("a map that was not closed and lost its journal is refused", "[sqlite]
   SqliteBag<> map(path);  // open: as after a crash
   map.add(KeyframeId{1}, {});
   folder.write("copy.db", content_of(path));
-  CHECK(error_text([&] { SqliteBag<> lost(copy); }) ==
-        copy + ": it was not closed, and " + copy +
-            "-wal, which holds what was written last, is missing: copy both files");
+  const std::string before = content_of(copy);
+  for (const SqliteOptions& options : {SqliteOptions{}, read_only()}) {
+    CHECK(error_text([&] { SqliteBag<> lost(copy, options); }) ==
+          copy + ": it was not closed, and " + copy +
+              "-wal, which holds what was written last, is missing: copy both files");
+  }
+  CHECK(content_of(copy) == before);
+  CHECK_FALSE(std::filesystem::exists(copy + "-wal"));
   folder.write("whole.db", content_of(path));
   folder.write("whole.db-wal", content_of(path + "-wal"));
   CHECK(SqliteBag<>(folder.path("whole.db")).bag().size() == 1);

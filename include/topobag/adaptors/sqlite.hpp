@@ -70,12 +70,7 @@ class SqliteBag {
       : options_(std::move(options)),
         connection_(path, options_.read_only),
         bag_(std::move(empty)) {
-    const bool lacks_journal = detail::sqlite_lacks_journal(path);
     detail::prepare_schema(connection_, options_.read_only);
-    if (lacks_journal && detail::sqlite_number(connection_, "SELECT count(*) FROM keyframe") == 0) {
-      throw FormatError(path + ": it was not closed, and " + path +
-                        "-wal, which holds what was written last, is missing: copy both files");
-    }
     if (!options_.read_only)
       connection_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     agree_on_catalog();

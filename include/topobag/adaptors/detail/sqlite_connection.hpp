@@ -3,27 +3,15 @@
 
 #include <sqlite3.h>
 
-#include <fstream>
 #include <memory>
 #include <string>
 
+#include <topobag/adaptors/detail/sqlite_journal.hpp>
 #include <topobag/error.hpp>
 
 namespace topobag {
 inline namespace v0 {
 namespace detail {
-
-/// Whether a journal lies beside a map: it is open, or was not closed.
-inline bool sqlite_journal_of(const std::string& path) {
-  return std::ifstream(path + "-wal").good();
-}
-
-/// Whether a map was not closed and the journal with what was written last is missing.
-inline bool sqlite_lacks_journal(const std::string& path) {
-  constexpr std::streamoff read_version = 19;  // in SQLite's header; 2 = there is a journal
-  std::ifstream file(path, std::ios::binary);
-  return file.seekg(read_version) && file.get() == 2 && !sqlite_journal_of(path);
-}
 
 /// Throws what SQLite says of the last call that failed: FormatError for a file that is no sound
 /// data base, Error for the rest.
@@ -35,7 +23,7 @@ inline bool sqlite_lacks_journal(const std::string& path) {
     throw FormatError(text + ": it is no SQLite map (a snapshot is for `load`), or damaged; take " +
                       "another copy");
   }
-  if ((code == SQLITE_READONLY || code == SQLITE_CANTOPEN) && sqlite_journal_of(path)) {
+  if ((code == SQLITE_READONLY || code == SQLITE_CANTOPEN) && sqlite_has_journal(path)) {
     throw Error(path +
                 ": it was not closed, and its folder cannot be written, as reading what is " +
                 "in " + path + "-wal needs: copy both files to a folder that can be");
@@ -46,12 +34,14 @@ inline bool sqlite_lacks_journal(const std::string& path) {
 /// An open SQLite file.
 class SqliteConnection {
  public:
-  /// Throws Error when it cannot be opened; without `read_only` it is made where it is missing.
+  /// Throws Error when it cannot be opened, FormatError as `require_journal`; without `read_only`
+  /// it is made where it is missing.
   SqliteConnection(const std::string& path, bool read_only) : path_(path) {
     // SQLite's names for a data base that goes with its connection.
     if (path.empty() || path == ":memory:") {
       throw Error("'" + path + "' is no file: a map there would be gone at the end; name one");
     }
+    require_journal(path);
     const int flags = read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     sqlite3* opened = nullptr;
     const int status = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
