@@ -6,24 +6,11 @@
 #include <topobag/bag/savable_graph.hpp>
 #include <topobag/bag/snapshot.hpp>
 
+#include "bag/careless_bag.hpp"
 #include "catch.hpp"
 #include "error_text.hpp"
 
 using namespace topobag;
-
-namespace {
-
-/// A user's bag that takes everything.
-struct CarelessBag {
-  using Graph = TopologyGraph<>;
-  std::size_t size() const { return 1; }
-  template <typename F>
-  void for_each(const F& f) const {
-    f(KeyframeId{12}, EntryInfo{}, Graph(std::vector<SemanticNode<>>(5000)));
-  }
-};
-
-}  // namespace
 
 TEST_CASE("what a map takes can be saved: add and save go by one rule", "[bag]") {
   std::vector<SemanticNode<>> far(3);

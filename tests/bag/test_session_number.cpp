@@ -15,7 +15,7 @@ TEST_CASE("sessions are numbered on and never from the start again", "[bag]") {
   CHECK(next_session(std::nullopt) == 0);
   CHECK(next_session(6) == 7);
   CHECK(next_session(last - 1) == last);
-  CHECK(error_text([] { next_session(last); }) ==
+  CHECK(error_text([&] { next_session(last); }) ==
         "the numbers of sessions are used up: there are 2^32");
   CHECK(session_after(3, 4) == 7);
   CHECK_THROWS_AS(session_after(1, last), InvalidId);

@@ -52,7 +52,8 @@ program::KeyframeOptions sample_keyframes() {
 
 /// Saves key frames as `map` does, but without what their cameras saw.
 void save_without_views(const std::vector<program::Keyframe>& keyframes, const std::string& path) {
-  const topobag::BagOfTopologyGraphs<> bag = program::new_entries({}, keyframes);
+  const topobag::BagOfTopologyGraphs<> bag =
+      program::new_entries(topobag::BagOfTopologyGraphs<>(), keyframes);
   topobag::SaveOptions options;
   options.catalog_fingerprint = topobag::fingerprint(topobag::ClassCatalog::coco80());
   options.views = topobag::ViewSection::left_out;
