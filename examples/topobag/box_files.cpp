@@ -1,127 +1,120 @@
 // SPDX-License-Identifier: MIT
 #include "box_files.hpp"
 
-#include <exception>
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
+#include "coco_file.hpp"
 #include "csv_reader.hpp"
+#include "image_names.hpp"
 #include "input_error.hpp"
-#include "json_output.hpp"
 
 namespace program {
 namespace {
 
 using topobag::Detection;
 
-const std::string line_format = "a line is: class cx cy w h [score]";
-const std::string score_range = "the score has to lie in [0, 1]";
+/// The share of the image that a field is: a number in [0, 1].
+double share_of(const topobag::TextLines& lines, std::string_view field, const char* what) {
+  const double share = lines.number(field);
+  const double rounding = 1e-3;
+  if (share >= -rounding && share <= 1.0 + rounding) return std::clamp(share, 0.0, 1.0);
+  throw lines.error(std::string(what) + " " + std::string(field) +
+                    " is no share of the image in [0, 1]" +
+                    (share > 1.0 ? "; divide px by the image's size" : ""));
+}
 
-bool is_share(double score) { return score >= 0.0 && score <= 1.0; }
-
-std::string stem(const std::string& file) { return std::filesystem::path(file).stem().string(); }
-
-std::vector<Detection> read_yolo_text(const std::string& path,
-                                      const std::vector<topobag::ClassId>& classes, int width,
-                                      int height) {
+std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading& reading) {
   std::vector<Detection> detections;
-  std::istringstream lines(read_file(path));
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    std::istringstream words(line);
-    std::size_t label = 0;
-    double cx = 0.0, cy = 0.0, w = 0.0, h = 0.0, score = 1.0;
-    if (!(words >> label >> cx >> cy >> w >> h)) {
-      throw InputError(path, number, line_format);
+  std::istringstream stream(read_file(path));
+  topobag::TextLines lines(stream, path);
+  std::vector<std::string_view> fields;
+  for (std::string_view line; lines.next(line);) {
+    topobag::TextLines::split(line, fields);
+    if (fields.size() != 5 && fields.size() != 6) {
+      throw lines.error("a line is: class cx cy w h [score]");
     }
-    if (!(words >> std::ws).eof() && !(words >> score)) {
-      throw InputError(path, number, "the score is not a number");
+    const auto label = topobag::parse_whole(fields[0]);
+    if (!label) throw lines.error("the class '" + std::string(fields[0]) + "' is no whole number");
+    if (*label < 0 || static_cast<std::size_t>(*label) >= reading.classes.size()) {
+      throw lines.error("there is no class " + std::to_string(*label) + " among 0 to " +
+                        std::to_string(reading.classes.size() - 1) +
+                        "; give the detector's own classes by --names");
     }
-    if (!(words >> std::ws).eof()) throw InputError(path, number, line_format);
-    if (!is_share(score)) throw InputError(path, number, score_range);
-    if (label >= classes.size()) {
-      throw InputError(path, number,
-                       "there is no class " + std::to_string(label) + "; give --names");
-    }
-    detections.push_back(
-        {topobag::box_around({cx * width - 0.5, cy * height - 0.5}, w * width, h * height),
-         classes[label], score});
+    const double cx = share_of(lines, fields[1], "cx"), cy = share_of(lines, fields[2], "cy");
+    const double w = share_of(lines, fields[3], "w"), h = share_of(lines, fields[4], "h");
+    const double score = fields.size() == 6 ? lines.number(fields[5]) : 1.0;
+    if (!(score >= 0.0 && score <= 1.0)) throw lines.error("the score has to lie in [0, 1]");
+    detections.push_back({topobag::box_around({cx * reading.width - 0.5, cy * reading.height - 0.5},
+                                              w * reading.width, h * reading.height),
+                          reading.classes[static_cast<std::size_t>(*label)], score});
   }
   return detections;
 }
 
-/// The names behind COCO's numbers of images and categories, where the file has them.
-std::map<std::string, std::string> names_by_id(const nlohmann::json& file, const char* list,
-                                               const char* name) {
-  std::map<std::string, std::string> names;
-  if (!file.is_object() || !file.contains(list)) return names;
-  for (const nlohmann::json& entry : file.at(list)) {
-    names[entry.at("id").dump()] = entry.at(name).get<std::string>();
+/// Throws where a file states another size of an image than the camera has.
+void require_size(const std::string& path, const CocoImage& image, const BoxReading& reading) {
+  const bool stated = image.width > 0 && image.height > 0 && reading.width > 0;
+  if (!stated || (image.width == reading.width && image.height == reading.height)) return;
+  throw InputError(path, "image '" + image.name + "' is " + std::to_string(image.width) + " x " +
+                             std::to_string(image.height) + " px, the camera's " +
+                             std::to_string(reading.width) + " x " +
+                             std::to_string(reading.height));
+}
+
+/// The names of the label files in a folder, sorted.
+std::vector<std::string> label_files(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".txt") names.push_back(entry.path().filename().string());
   }
+  if (names.empty()) throw InputError(folder, "there is no .txt file in the folder");
+  std::sort(names.begin(), names.end());
   return names;
-}
-
-/// The class of a number in COCO's own counting, which runs from 1 to 90 and leaves out ten.
-topobag::ClassId coco_class(const nlohmann::json& category) {
-  // As a double first: a number in JSON may be more than an int holds.
-  const double given = category.is_number() ? category.get<double>() : 0.0;
-  const int number = given >= 1.0 && given <= 90.0 ? static_cast<int>(given) : 0;
-  int position = number - 1;
-  for (const int absent : {12, 26, 29, 30, 45, 66, 68, 69, 71, 83}) {
-    if (number == absent) position = -1;
-    if (number > absent) --position;
-  }
-  if (position < 0 || given != number) {
-    throw InputError("category " + category.dump() + " is none of COCO's");
-  }
-  return topobag::ClassId{position};
-}
-
-BoxesByImage read_coco(const std::string& path, const topobag::ClassCatalog& catalog) {
-  BoxesByImage boxes;
-  std::size_t number = 0;
-  try {
-    const nlohmann::json file = nlohmann::json::parse(read_file(path));
-    const auto images = names_by_id(file, "images", "file_name");
-    const auto categories = names_by_id(file, "categories", "name");
-    for (const nlohmann::json& entry : file.is_array() ? file : file.at("annotations")) {
-      ++number;
-      const nlohmann::json& image = entry.at("image_id");
-      const auto named = images.find(image.dump());
-      const std::string key = named != images.end() ? named->second
-                              : image.is_string()   ? image.get<std::string>()
-                                                    : image.dump();
-      const nlohmann::json& category = entry.at("category_id");
-      const auto called = categories.find(category.dump());
-      const topobag::ClassId label =
-          called != categories.end() ? catalog.at(called->second) : coco_class(category);
-      const auto& box = entry.at("bbox");
-      const double x = box.at(0), y = box.at(1), w = box.at(2), h = box.at(3);
-      const double score = entry.value("score", 1.0);
-      if (!is_share(score)) throw InputError(score_range);
-      boxes[stem(key)].push_back({{x - 0.5, y - 0.5, x + w - 0.5, y + h - 0.5}, label, score});
-    }
-  } catch (const std::exception& error) {
-    throw InputError(path + ", entry " + std::to_string(number) + ": " + error.what());
-  }
-  return boxes;
 }
 
 }  // namespace
 
-BoxesByImage read_boxes(const std::string& path, const std::vector<topobag::ClassId>& classes,
-                        const topobag::ClassCatalog& catalog, int width, int height) {
-  if (!std::filesystem::is_directory(path)) return read_coco(path, catalog);
-  BoxesByImage boxes;
-  for (const auto& entry : std::filesystem::directory_iterator(path)) {
-    if (entry.path().extension() != ".txt") continue;
-    boxes[entry.path().stem().string()] =
-        read_yolo_text(entry.path().string(), classes, width, height);
+ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& images,
+                      const BoxReading& reading) {
+  std::vector<CocoImage> coco;
+  std::vector<std::string> names;
+  const bool yolo = std::filesystem::is_directory(path);
+  if (yolo) {
+    names = label_files(path);
+  } else {
+    coco = read_coco(path, reading.catalog);
+    for (const CocoImage& image : coco) names.push_back(image.name);
   }
-  if (boxes.empty()) throw InputError(path, "there is no .txt file in the folder");
-  return boxes;
+  const std::vector<std::size_t> found = ImageNames(images).find(names, path);
+  ImageBoxes boxes;
+  std::vector<bool> used(names.size(), false);
+  for (const std::size_t name : found) {
+    std::vector<Detection>& of_image = boxes.of_image.emplace_back();
+    if (name == ImageNames::none) {
+      ++boxes.without_boxes;
+      continue;
+    }
+    used[name] = true;
+    if (!yolo) require_size(path, coco[name], reading);
+    of_image = yolo ? read_yolo_text((std::filesystem::path(path) / names[name]).string(), reading)
+                    : coco[name].boxes;
+    const auto empty = [](const Detection& detection) { return !detection.box.is_valid(); };
+    const auto kept = std::remove_if(of_image.begin(), of_image.end(), empty);
+    boxes.empty += static_cast<std::size_t>(of_image.end() - kept);
+    of_image.erase(kept, of_image.end());
+  }
+  for (std::size_t name = 0; name < names.size(); ++name) {
+    if (!used[name] && (yolo || !coco[name].boxes.empty())) ++boxes.other_images;
+  }
+  if (boxes.without_boxes < images.size()) return boxes;
+  throw InputError(
+      path, "it speaks of none of the sequence's " + std::to_string(images.size()) +
+                " images, but of " + std::to_string(names.size()) +
+                (names.empty() ? " others" : " others, such as '" + names.front() + '\'') +
+                "; the first is '" + std::filesystem::path(images.front()).filename().string() +
+                '\'');
 }
 
 }  // namespace program

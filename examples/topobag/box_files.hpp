@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,22 +10,34 @@
 
 namespace program {
 
-/// The detections of the images by name without folder and suffix, boxes in px from the centre of
-/// the first pixel.
-using BoxesByImage = std::map<std::string, std::vector<topobag::Detection>>;
+/// The boxes that another detector found in the images of a sequence.
+struct ImageBoxes {
+  /// Parallel to the images; boxes in px from the centre of the first pixel.
+  std::vector<std::vector<topobag::Detection>> of_image;
+  std::size_t without_boxes = 0;  ///< images that the files say nothing of
+  std::size_t other_images = 0;   ///< images with boxes that the sequence does not have
+  std::size_t empty = 0;          ///< boxes without width or height, left out
+};
 
-/// Reads what other detectors wrote.
+/// How boxes are read.
+struct BoxReading {
+  std::vector<topobag::ClassId> classes;  ///< the class behind each number of a YOLO file
+  topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  int width = 0;   ///< of the images, px; 0 = unknown, which YOLO files do not do with
+  int height = 0;  ///< px
+};
+
+/// Reads what other detectors wrote of the images of a sequence.
 ///
 /// A folder holds one YOLO text file an image, `<image>.txt`, with lines `class cx cy w h [score]`,
 /// the box as shares of the image and the class as a position in `classes`. A file is COCO's JSON:
 /// a list of results (image_id, category_id, bbox, score) with COCO's own numbers of categories, or
 /// a data set (images, categories, annotations) with categories by name. An image goes by its
-/// file's name or, where there is none, by its id. Scores lie in [0, 1].
-/// @param classes       the class behind each number of a YOLO file
-/// @param catalog       COCO's 80 classes
-/// @param width,height  of the images, px; for YOLO files
-/// Throws InputError with the file and the line or entry.
-BoxesByImage read_boxes(const std::string& path, const std::vector<topobag::ClassId>& classes,
-                        const topobag::ClassCatalog& catalog, int width, int height);
+/// file's name (see `ImageNames`) or, where there is none, by its id. Scores lie in [0, 1].
+/// @param images  paths of the sequence's images
+/// Throws topobag::Error with the file and the line or entry, also where it speaks of none of the
+/// images.
+ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& images,
+                      const BoxReading& reading);
 
 }  // namespace program

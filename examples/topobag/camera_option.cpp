@@ -2,6 +2,7 @@
 #include "camera_option.hpp"
 
 #include <cstddef>
+#include <sstream>
 
 #include "number_list.hpp"
 
@@ -41,6 +42,16 @@ ImageSize parse_image_size(const std::string& text) {
 
 }  // namespace
 
+void require_principal_point(const topobag::PinholeCamera<>& camera) {
+  if (!camera.in_image({camera.cx, camera.cy})) {
+    std::ostringstream why;
+    why << "the principal point " << camera.cx << ", " << camera.cy << " lies outside the image of "
+        << camera.width << " x " << camera.height
+        << " px; are the intrinsics of another image size?";
+    throw InputError("--camera", why.str());
+  }
+}
+
 CLI::Option* add_camera_option(CLI::App& command, const std::string& name,
                                topobag::PinholeCamera<>& camera, const std::string& description) {
   return command.add_option_function<std::string>(
@@ -61,6 +72,7 @@ topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageS
     camera.width = size.width;
     camera.height = size.height;
   }
+  require_principal_point(camera);
   return camera;
 }
 

@@ -25,4 +25,8 @@ CLI::Option* add_image_size_option(CLI::App& command, ImageSize& size);
 /// The camera, with `size` where it has none.
 topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageSize& size);
 
+/// Throws InputError where the principal point lies outside the image, whose size is known: the
+/// intrinsics are of another image size.
+void require_principal_point(const topobag::PinholeCamera<>& camera);
+
 }  // namespace program

@@ -2,36 +2,20 @@
 #include "csv_reader.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <deque>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <system_error>
+#include <ostream>
+
+#include <topobag/bag/atomic_file.hpp>
+#include <topobag/types/stamp.hpp>
 
 namespace program {
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const char* const blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// Parses all of `text`; nothing when it is not a `Number` or does not fit in one.
-template <typename Number>
-std::optional<Number> parse(std::string_view text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const std::from_chars_result result = std::from_chars(text.data(), end, number);
-  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
-  return number;
-}
-
-}  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
-  const std::optional<double> number = parse<double>(text);
+  const std::optional<double> number = topobag::parse_number(text);
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
@@ -44,21 +28,36 @@ std::string read_file(const std::string& path) {
 }
 
 void write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text << std::flush;
-  if (!file) throw InputError(path, "the file cannot be written; check the folder and its rights");
+  namespace fs = std::filesystem;
+  if (fs::exists(path) && !fs::is_regular_file(path) && !fs::is_directory(path)) {
+    std::ofstream file(path, std::ios::binary);
+    file << text << std::flush;
+    if (!file) throw InputError(path, "it cannot be written");
+    return;
+  }
+  write_files({{path, text}});
 }
 
-CsvReader::CsvReader(const std::string& path) : path_(path), text_(read_file(path)) {
-  const std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text_.compare(0, byte_order_mark.size(), byte_order_mark) == 0) {
-    position_ = byte_order_mark.size();
+void write_files(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::deque<topobag::AtomicFile> written;
+  for (const auto& [path, text] : files) {
+    topobag::AtomicFile& file = written.emplace_back(path);
+    std::ostream stream(file.buffer());
+    stream << text << std::flush;
+    if (!stream) file.fail();
   }
-  if (!read_line()) throw InputError(path_, "the file is empty; a header row is needed");
-  header_ = fields_;
+  for (topobag::AtomicFile& file : written) file.commit();
+}
+
+CsvReader::CsvReader(const std::string& path) : stream_(read_file(path)), lines_(stream_, path) {
+  if (!read_line()) throw InputError(path, "the file is empty; a header row is needed");
+  header_.assign(fields_.begin(), fields_.end());
   for (auto it = header_.begin(); it != header_.end(); ++it) {
+    if (parse_number(*it)) {
+      throw error("'" + *it + "' stands where a header row names a column");
+    }
     if (std::find(header_.begin(), it, *it) != it) {
-      throw error("the header names column '" + std::string(*it) + "' twice");
+      throw error("the header names column '" + *it + "' twice");
     }
   }
 }
@@ -72,7 +71,7 @@ std::optional<std::size_t> CsvReader::find_column(std::string_view name) const {
 std::size_t CsvReader::column(std::string_view name) const {
   if (const std::optional<std::size_t> found = find_column(name)) return *found;
   std::string names;
-  for (const std::string_view column : header_) names += " '" + std::string(column) + "'";
+  for (const std::string& column : header_) names += " '" + column + "'";
   throw error("there is no column '" + std::string(name) + "'; the header names" + names);
 }
 
@@ -92,34 +91,29 @@ double CsvReader::number(std::size_t column) const {
 }
 
 std::int64_t CsvReader::integer(std::size_t column) const {
-  const std::optional<std::int64_t> number = parse<std::int64_t>(fields_[column]);
+  const std::optional<std::int64_t> number = topobag::parse_whole(fields_[column]);
   if (!number) throw bad_field(column, "an integer");
   return *number;
 }
 
-/// Splits the next line that is not blank.
+double CsvReader::seconds(std::size_t column) const {
+  const double stamp = number(column);
+  located([&] { topobag::require_seconds(stamp); });
+  return stamp;
+}
+
+/// Splits the next line.
 bool CsvReader::read_line() {
   std::string_view line;
-  while (line.empty()) {
-    if (position_ >= text_.size()) return false;
-    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
-    line = trimmed(std::string_view(text_).substr(position_, end - position_));
-    position_ = end + 1;
-    ++line_;
-  }
+  if (!lines_.next(line)) return false;
   if (line.find('"') != std::string_view::npos) throw error("quoted fields are not supported");
-  fields_.clear();
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    fields_.push_back(trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  topobag::TextLines::split(line, fields_);
   return true;
 }
 
-InputError CsvReader::bad_field(std::size_t column, const char* wanted) const {
-  return error("column '" + std::string(header_[column]) + "' holds '" +
-               std::string(fields_[column]) + "', which is not " + wanted);
+topobag::Error CsvReader::bad_field(std::size_t column, const char* wanted) const {
+  return error("column '" + header_[column] + "' holds '" + std::string(fields_[column]) +
+               "', which is not " + wanted);
 }
 
 }  // namespace program

@@ -4,9 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include <topobag/evaluation/text_lines.hpp>
 
 #include "input_error.hpp"
 
@@ -18,13 +22,19 @@ std::optional<double> parse_number(std::string_view text);
 /// Reads a whole file. Throws InputError.
 std::string read_file(const std::string& path);
 
-/// Writes a whole file. Throws InputError.
+/// Writes a whole file: complete under its name when this returns, or, after an error with the
+/// system's reason, as it was. What is no regular file, such as /dev/stdout, is written as it
+/// comes. Throws topobag::Error.
 void write_file(const std::string& path, const std::string& text);
 
-/// A comma-separated file with a header row, read row by row.
+/// The same of files that belong together, each a path and its text: all are on the disk before the
+/// first one takes its name.
+void write_files(const std::vector<std::pair<std::string, std::string>>& files);
+
+/// A comma-separated file with a header row, read row by row as topobag::TextLines reads.
 ///
-/// Blanks around fields and empty lines are ignored, quoted fields refused. Everything that is
-/// wrong throws InputError with the file and the line.
+/// Quoted fields are refused. Everything that is wrong throws topobag::Error with the file and the
+/// line.
 ///
 ///     CsvReader csv("frames.csv");
 ///     const std::size_t time = csv.column("timestamp");
@@ -33,7 +43,7 @@ class CsvReader {
  public:
   /// Reads the file and its header row.
   explicit CsvReader(const std::string& path);
-  CsvReader(const CsvReader&) = delete;  // the fields point into the text
+  CsvReader(const CsvReader&) = delete;  // the lines point into the text
   CsvReader& operator=(const CsvReader&) = delete;
 
   /// The position of a column; throws when the header does not name it.
@@ -43,7 +53,7 @@ class CsvReader {
   /// Moves to the next row; false after the last.
   bool next();
 
-  /// A field of the current row, valid as long as the reader.
+  /// A field of the current row, valid until the next one.
   std::string_view text(std::size_t column) const { return fields_[column]; }
 
   /// A finite number.
@@ -51,18 +61,25 @@ class CsvReader {
 
   std::int64_t integer(std::size_t column) const;
 
+  /// A time.
+  double seconds(std::size_t column) const;
+
   /// An error at the current row.
-  InputError error(const std::string& sentence) const { return {path_, line_, sentence}; }
+  topobag::Error error(const std::string& sentence) const { return lines_.error(sentence); }
+
+  /// What `call()` returns; an error of it gets file and line.
+  template <typename Call>
+  auto located(const Call& call) const {
+    return lines_.located(call);
+  }
 
  private:
   bool read_line();
-  InputError bad_field(std::size_t column, const char* wanted) const;
+  topobag::Error bad_field(std::size_t column, const char* wanted) const;
 
-  std::string path_;
-  std::string text_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 0;
-  std::vector<std::string_view> header_;
+  std::istringstream stream_;
+  topobag::TextLines lines_;
+  std::vector<std::string> header_;
   std::vector<std::string_view> fields_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -47,14 +48,16 @@ struct Method {
   PairScores scores;
 };
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+bool is_npy(const std::string& path) {
+  std::string beginning(6, '\0');
+  std::ifstream(path, std::ios::binary).read(beginning.data(), 6);
+  return beginning == "\x93NUMPY";
 }
 
 Method read_method(const std::string& path, const EvaluateOptions& options,
                    const topobag::PlaceTruth& truth) {
   Method method;
-  if (ends_with(path, ".npy")) {
+  if (is_npy(path)) {
     method.scores = topobag::read_npy(path);
   } else {
     method.scores = topobag::read_score_csv(path);
@@ -78,6 +81,13 @@ Method read_method(const std::string& path, const EvaluateOptions& options,
 
 KnownPlaces read_places(const EvaluateOptions& options) {
   const topobag::PlaceProtocol protocol = topobag::parse_protocol(options.protocol);
+  const std::vector<std::string> files{options.poses, options.map_poses};
+  for (std::size_t i = 0; i < files.size() && protocol.exclude_seconds > 0.0; ++i) {
+    if (files[i].empty() || read_pose_file(files[i], i == 0 ? options.times : "").stamped) continue;
+    throw InputError(files[i],
+                     "exclude-seconds needs times, which a KITTI trajectory has not: give "
+                     "--times, or exclude-frames");
+  }
   topobag::Trajectory queries = read_trajectory(options.poses, options.times);
   if (options.map_poses.empty()) {
     const topobag::PlaceTruth truth(protocol, queries);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include <topobag/error.hpp>
@@ -16,10 +15,6 @@ class InputError : public topobag::Error {
   /// "file: sentence"
   InputError(const std::string& file, const std::string& sentence)
       : Error(file + ": " + sentence) {}
-
-  /// "file:line: sentence"; `line` counts from 1.
-  InputError(const std::string& file, std::size_t line, const std::string& sentence)
-      : Error(file + ":" + std::to_string(line) + ": " + sentence) {}
 };
 
 }  // namespace program

@@ -9,7 +9,7 @@ namespace {
 std::string value_text(const Json& value) {
   if (value.is_null()) return "undefined";
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return value.dump();
+  if (!value.is_array()) return json_text(value);
   std::string text;
   for (const Json& item : value) text += (text.empty() ? "" : " .. ") + value_text(item);
   return text;
@@ -31,8 +31,12 @@ void append_lines(const Json& object, std::size_t indent, std::string& text) {
 
 }  // namespace
 
+std::string json_text(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string output_text(const Json& result, bool as_json) {
-  if (as_json) return result.dump(2) + '\n';
+  if (as_json) return json_text(result, 2) + '\n';
   std::string text;
   append_lines(result, 0, text);
   return text;

@@ -16,6 +16,10 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
+/// JSON as text, in one line or indented; a byte that is no UTF-8, as in the name of a file,
+/// becomes U+FFFD.
+std::string json_text(const Json& json, int indent = -1);
+
 /// The result as JSON, or for reading: a line per value, nested values indented.
 std::string output_text(const Json& result, bool as_json);
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "keyframe_graphs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include <topobag/edges/delaunay_edges2.hpp>
 #include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph.hpp>
+#include <topobag/sensing/lift_detections.hpp>
 
 #include "input_error.hpp"
 
@@ -37,13 +40,66 @@ Eigen::Isometry3d relative_pose(const FrameRow& previous, const FrameRow& curren
   return previous.T_world_camera->inverse() * *current.T_world_camera;
 }
 
+/// Which detections become nodes.
+topobag::LiftOptions lifting_of(const KeyframeOptions& options) {
+  topobag::LiftOptions lifting;
+  lifting.min_confidence = options.min_confidence;
+  lifting.keep = options.keep;
+  return lifting;
+}
+
+/// Throws where a box's centre lies outside the camera's image: both are not of one camera.
+void require_in_image(const std::string& set, const NodeTable& table,
+                      const topobag::PinholeCamera<>& camera) {
+  std::size_t boxes = 0, outside = 0;
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();
+  for (const FrameRow& frame : table.frames) {
+    for (const topobag::RangedDetection& detection : frame.detections) {
+      ++boxes;
+      const Eigen::Vector2d center = detection.box.center();
+      if (camera.in_image(center, -0.5)) continue;
+      if (++outside == 1) first = center;
+    }
+  }
+  if (outside == 0) return;
+  std::ostringstream why;
+  why << outside << " of " << boxes << " boxes lie outside the camera's image of " << camera.width
+      << " x " << camera.height << " px, the first around " << first.x() << ", " << first.y()
+      << "; give --camera and --image-size of the table's images";
+  throw InputError(set_name(set) + ".nodes.csv", why.str());
+}
+
+/// Throws where no key frame can be matched, and says what became of the detections.
+void require_usable(const std::string& set, const NodeTable& table,
+                    const std::vector<Keyframe>& keyframes, const KeyframeOptions& options) {
+  if (std::any_of(keyframes.begin(), keyframes.end(),
+                  [](const Keyframe& keyframe) { return keyframe.graph.is_matchable(); })) {
+    return;
+  }
+  topobag::DroppedDetections dropped;
+  std::size_t detections = 0;
+  for (const FrameRow& frame : table.frames) {
+    detections += frame.detections.size();
+    dropped += topobag::lift_detections(frame.detections, options.camera,
+                                        topobag::ClassCatalog::coco80(), lifting_of(options))
+                   .dropped;
+  }
+  std::ostringstream why;
+  why << "none of the " << keyframes.size() << " key frames has three objects with a position; of "
+      << detections << " detections in the table " << dropped.low_confidence
+      << " are below --min-confidence, " << dropped.dynamic << " move by themselves, "
+      << dropped.no_depth << " have no depth, " << dropped.out_of_range << " are out of range, "
+      << dropped.too_large << " too large, " << dropped.invalid << " not valid, "
+      << dropped.duplicate << " seen twice";
+  throw InputError(set_name(set) + ".nodes.csv", why.str());
+}
+
 }  // namespace
 
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options) {
   const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
   topobag::SightingOptions sighting;
-  sighting.lifting.min_confidence = options.min_confidence;
-  sighting.lifting.keep = options.keep;
+  sighting.lifting = lifting_of(options);
   sighting.max_detections = std::numeric_limits<std::size_t>::max();  // all that the table holds
   topobag::LocalGraphOptions fusing;
   fusing.window = options.window;
@@ -72,13 +128,17 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
 
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options) {
   NodeTable table = read_node_table(set);
+  require_in_image(set, table, options.camera);
   apply(options.stress, table);
   apply(options.gravity, Draws{options.stress.seed, options.stress.stream, 1}, table);
+  std::vector<Keyframe> keyframes;
   try {
-    return keyframe_graphs(table, options);
+    keyframes = keyframe_graphs(table, options);
   } catch (const topobag::InvalidValue& invalid) {
-    throw InputError(set + ".frames.csv", invalid.what());
+    throw InputError(set_name(set) + ".frames.csv", invalid.what());
   }
+  require_usable(set, table, keyframes, options);
+  return keyframes;
 }
 
 std::optional<topobag::Trajectory> true_trajectory(const std::vector<Keyframe>& keyframes) {

@@ -47,7 +47,8 @@ struct Keyframe {
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options);
 
 /// Reads the table, puts it under stress, tells it which way is down, and makes the graphs of its
-/// key frames. Throws InputError.
+/// key frames. Throws InputError, also where its boxes are not of the camera's image, and where not
+/// one graph is usable.
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options);
 
 /// The true poses of all key frames; nothing when one is not known.

@@ -48,8 +48,8 @@ RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions opt
   if (tables.map_world_up) map_options.gravity.world_up = tables.map_world_up;
   options.stress.stream = map_options.stress.stream + 1;
   RecognitionRun run;
-  run.map_set = tables.map;
-  run.query_set = tables.query;
+  run.map_set = set_name(tables.map);
+  run.query_set = set_name(tables.query);
   run.map = read_map(tables.map, map_options);
   run.queries = read_keyframes(tables.query, options);
   return run;
@@ -59,7 +59,7 @@ RecognitionRun read_sequence(const std::string& nodes, KeyframeOptions options,
                              const ImageSize& image_size) {
   options.camera = with_size(options.camera, image_size);
   RecognitionRun run;
-  run.map_set = run.query_set = nodes;
+  run.map_set = run.query_set = set_name(nodes);
   run.map = run.queries = read_keyframes(nodes, options);
   return run;
 }

@@ -26,6 +26,8 @@ void localize(const LocalizeArguments& arguments) {
   require_order(common.scoring.limits);
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
   look_up_in_map(run, calibration_request(arguments.calibration, common));
+  require_queries(run);
+  run.in_map = count_in_map(run);
   save_calibration(arguments.calibration, run);
   score(run, common.scoring);
   if (!arguments.svg.empty()) write_file(arguments.svg, match_svg(run));

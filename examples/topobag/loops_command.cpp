@@ -27,6 +27,7 @@ void find_loops(const LoopsArguments& arguments) {
   require_order(common.scoring.limits);
   RecognitionRun run = read_sequence(arguments.nodes, common.keyframes, common.image_size);
   look_up_earlier(run, arguments.min_gap, calibration_request(arguments.calibration, common));
+  require_queries(run);
   save_calibration(arguments.calibration, run);
   score(run, common.scoring);
   write_recognition_report(run, common, arguments.report, arguments.min_gap);

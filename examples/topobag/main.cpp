@@ -20,6 +20,12 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   return "there is no command '" + words.front() + "'";
 }
 
+/// The help that lists the options in question.
+std::string help_of(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return "topobag " + (commands.empty() ? "" : commands.front()->get_name() + ' ') + "--help";
+}
+
 /// Says what is wrong in one line on stderr.
 int fail(const std::string& message) {
   std::cerr << "topobag: " << message.substr(0, message.find('\n')) << '\n';
@@ -49,7 +55,7 @@ int main(int argc, char** argv) {
     if (!std::cout.flush()) return fail("the output cannot be written");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // --help
-    return fail(complaint(app, error) + "; see topobag --help");
+    return fail(complaint(app, error) + "; see " + help_of(app));
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -24,7 +24,7 @@ void make_map(const MapArguments& arguments) {
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
   const std::string session =
-      arguments.session.empty() ? name_of(arguments.nodes) : arguments.session;
+      arguments.session.empty() ? name_of(set_name(arguments.nodes)) : arguments.session;
   write_saved_map(arguments.out, session, keyframes, arguments.append);
   std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
             << " added\n";

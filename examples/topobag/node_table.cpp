@@ -1,55 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "node_table.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <iomanip>
 #include <map>
 #include <set>
 #include <sstream>
 #include <utility>
 
+#include "csv_pose.hpp"
 #include "csv_reader.hpp"
 
 namespace program {
 namespace {
 
-std::string frames_file(const std::string& set) { return set + ".frames.csv"; }
-std::string nodes_file(const std::string& set) { return set + ".nodes.csv"; }
-
-/// The columns of a pose, or nothing when the table has none of them.
-std::optional<std::array<std::size_t, 7>> pose_columns(const CsvReader& csv) {
-  const std::array<const char*, 7> names{"tx", "ty", "tz", "qx", "qy", "qz", "qw"};
-  const bool any = std::any_of(names.begin(), names.end(),
-                               [&](const char* name) { return csv.find_column(name).has_value(); });
-  if (!any) return std::nullopt;
-  std::array<std::size_t, 7> columns{};
-  for (std::size_t i = 0; i < names.size(); ++i) columns[i] = csv.column(names[i]);
-  return columns;
-}
-
-std::optional<Eigen::Isometry3d> read_pose(const CsvReader& csv,
-                                           const std::array<std::size_t, 7>& columns) {
-  const bool absent = std::all_of(columns.begin(), columns.end(),
-                                  [&](std::size_t column) { return csv.text(column).empty(); });
-  if (absent) return std::nullopt;
-  std::array<double, 7> v{};
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = csv.number(columns[i]);
-  const Eigen::Quaterniond rotation(v[6], v[3], v[4], v[5]);
-  if (std::abs(rotation.norm() - 1.0) > 0.01) {
-    throw csv.error("the quaternion qx qy qz qw has norm " + std::to_string(rotation.norm()) +
-                    ", not 1");
-  }
-  return Eigen::Translation3d(v[0], v[1], v[2]) * rotation.normalized();
-}
+std::string frames_file(const std::string& set) { return set_name(set) + ".frames.csv"; }
+std::string nodes_file(const std::string& set) { return set_name(set) + ".nodes.csv"; }
 
 std::vector<FrameRow> read_frames(const std::string& path) {
   CsvReader csv(path);
   const std::size_t idx = csv.column("idx");
   const std::size_t frame = csv.column("frame");
   const std::size_t timestamp = csv.column("timestamp");
-  const auto pose = pose_columns(csv);
+  const CsvPose pose(csv);
   std::vector<FrameRow> frames;
   std::set<std::int64_t> known;
   while (csv.next()) {
@@ -59,11 +31,11 @@ std::vector<FrameRow> read_frames(const std::string& path) {
       throw csv.error("idx " + std::to_string(row.idx) + " is there twice");
     }
     row.name = csv.text(frame);
-    row.timestamp = csv.number(timestamp);
+    row.timestamp = csv.seconds(timestamp);
     if (!frames.empty() && row.timestamp < frames.back().timestamp) {
       throw csv.error("the timestamp is before that of the row above; sort the frames by time");
     }
-    if (pose) row.T_world_camera = read_pose(csv, *pose);
+    row.T_world_camera = pose.read();
     frames.push_back(std::move(row));
   }
   if (frames.empty()) throw InputError(path, "the table holds no frame");
@@ -153,6 +125,15 @@ void write_pose(std::ostream& out, const std::optional<Eigen::Isometry3d>& T_wor
 
 }  // namespace
 
+std::string set_name(const std::string& path) {
+  for (const std::string ending : {".frames.csv", ".nodes.csv"}) {
+    const bool ends = path.size() > ending.size() &&
+                      path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+    if (ends) return path.substr(0, path.size() - ending.size());
+  }
+  return path;
+}
+
 NodeTable read_node_table(const std::string& set, const topobag::ClassCatalog& catalog) {
   NodeTable table{read_frames(frames_file(set))};
   read_detections(nodes_file(set), catalog, table.frames);
@@ -183,8 +164,7 @@ void write_node_table(const std::string& set, const NodeTable& table,
             << detection.z << '\n';
     }
   }
-  write_file(frames_file(set), frames.str());
-  write_file(nodes_file(set), nodes.str());
+  write_files({{frames_file(set), frames.str()}, {nodes_file(set), nodes.str()}});
 }
 
 }  // namespace program

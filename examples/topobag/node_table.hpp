@@ -34,6 +34,9 @@ struct NodeTable {
   std::vector<FrameRow> frames;
 };
 
+/// The name of a table; either of its two files stands for it.
+std::string set_name(const std::string& path);
+
 /// Reads `set`.frames.csv and `set`.nodes.csv. Classes go by their name; class_id, where given,
 /// has to agree with `catalog`. Throws InputError with the file and the line.
 NodeTable read_node_table(const std::string& set,

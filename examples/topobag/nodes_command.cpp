@@ -5,6 +5,8 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <topobag/sensing/lift_detections.hpp>
@@ -14,6 +16,7 @@
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "detect_nodes.hpp"
+#include "input_error.hpp"
 #include "number_check.hpp"
 
 namespace program {
@@ -35,36 +38,68 @@ std::vector<topobag::ClassId> read_classes(const std::string& names,
                                            const topobag::ClassCatalog& catalog) {
   if (names.empty()) return catalog.ids();
   std::vector<topobag::ClassId> classes;
-  std::istringstream lines(read_file(names));
-  for (std::string line; std::getline(lines, line);) {
-    try {
-      classes.push_back(catalog.at(line));
-    } catch (const topobag::UnknownClass& unknown) {
-      throw InputError(names, classes.size() + 1, unknown.what());
+  std::istringstream stream(read_file(names));
+  topobag::TextLines lines(stream, names);
+  std::size_t before = 0;
+  for (std::string_view line; lines.next(line); before = lines.number()) {
+    if (!classes.empty() && lines.number() != before + 1) {
+      throw lines.error("a blank or comment line above hides which number this class has");
     }
+    lines.located([&] { classes.push_back(catalog.at(std::string(line))); });
   }
+  if (classes.empty()) throw InputError(names, "there is no class in the file");
   return classes;
 }
 
-/// What became of the detections, and how many make nodes under the library's defaults.
-std::string summary(const std::string& set, const NodeTable& table,
-                    const topobag::PinholeCamera<>& camera, const topobag::ClassCatalog& catalog) {
-  std::size_t detections = 0;
-  std::size_t nodes = 0;
-  topobag::DroppedDetections dropped;
-  for (const FrameRow& frame : table.frames) {
-    const auto lifted = topobag::lift_detections(frame.detections, camera, catalog);
-    detections += frame.detections.size();
-    nodes += lifted.nodes.size();
-    dropped += lifted.dropped;
+/// "12 of one kind, 1 of another", those that are not 0; "nothing" where all are.
+std::string counts_text(const std::vector<std::pair<std::size_t, const char*>>& counts) {
+  std::string text;
+  for (const auto& [count, kind] : counts) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + kind;
   }
+  return text.empty() ? "nothing" : text;
+}
+
+/// What was made of a sequence and what was not, and how many nodes the library's defaults make.
+struct NodesTally {
+  std::size_t frames = 0, without_pose = 0, detections = 0, nodes = 0;
+  topobag::DroppedDetections dropped;
+
+  NodesTally(const NodeTable& table, const topobag::PinholeCamera<>& camera,
+             const topobag::ClassCatalog& catalog)
+      : frames(table.frames.size()) {
+    for (const FrameRow& frame : table.frames) {
+      const auto lifted = topobag::lift_detections(frame.detections, camera, catalog);
+      if (!frame.T_world_camera) ++without_pose;
+      detections += frame.detections.size();
+      nodes += lifted.nodes.size();
+      dropped += lifted.dropped;
+    }
+  }
+};
+
+std::string left_out_text(const RgbdSequence& sequence, const DetectionSource& source,
+                          const DetectedNodes& detected) {
+  const ImageBoxes none;
+  const ImageBoxes& boxes = source.boxes ? *source.boxes : none;
+  return counts_text({{sequence.without_depth, "images without a depth image"},
+                      {boxes.without_boxes, "images without boxes"},
+                      {boxes.other_images, "images that the sequence does not have"},
+                      {boxes.empty, "boxes of no size"},
+                      {detected.outside, "boxes outside the image"}});
+}
+
+std::string summary(const std::string& set, const NodesTally& tally, const std::string& left_out) {
   std::ostringstream text;
-  text << set << ": " << table.frames.size() << " frames, " << detections
-       << " detections; with the default filter " << nodes
+  const topobag::DroppedDetections& dropped = tally.dropped;
+  text << set << ": " << tally.frames << " frames, " << tally.detections
+       << " detections; with the default filter " << tally.nodes
        << " nodes (left out: " << dropped.invalid << " not valid, " << dropped.low_confidence
        << " of low confidence, " << dropped.dynamic << " dynamic, " << dropped.too_large
        << " too large, " << dropped.no_depth << " without depth, " << dropped.out_of_range
-       << " out of range, " << dropped.duplicate << " seen twice)\n";
+       << " out of range, " << dropped.duplicate << " seen twice)\n"
+       << "not in the table: " << left_out << "; frames without a pose: " << tally.without_pose
+       << '\n';
   return text.str();
 }
 
@@ -76,17 +111,27 @@ void make_nodes(const NodesOptions& options) {
   }
   topobag::PinholeCamera<> camera = options.camera;
   DetectionSource source{options.model, options.yolo, read_classes(options.names, catalog), {}};
+  const RgbdSequence sequence = read_tum_sequence(options.images);
   if (!options.boxes.empty()) {
     if (std::filesystem::is_directory(options.boxes) && camera.width == 0) {
       throw InputError("--boxes " + options.boxes,
                        "YOLO files need the image size: give --camera fx,fy,cx,cy,width,height");
     }
-    source.boxes = read_boxes(options.boxes, source.classes, catalog, camera.width, camera.height);
+    std::vector<std::string> images;
+    for (const RgbdFrame& frame : sequence.frames) images.push_back(frame.rgb);
+    source.boxes =
+        read_boxes(options.boxes, images, {source.classes, catalog, camera.width, camera.height});
   }
-  const NodeTable table =
-      detect_nodes(read_tum_sequence(options.images), source, options.depth_scale, camera);
-  write_node_table(options.out, table, catalog);
-  std::cout << summary(options.out, table, camera, catalog);
+  const DetectedNodes detected = detect_nodes(sequence.frames, source, options.depth_scale, camera);
+  const NodesTally tally(detected.table, camera, catalog);
+  const std::string left_out = left_out_text(sequence, source, detected);
+  if (tally.detections == 0) {
+    throw InputError(options.model + options.boxes, "there is no detection in the " +
+                                                        std::to_string(tally.frames) +
+                                                        " images; left out: " + left_out);
+  }
+  write_node_table(options.out, detected.table, catalog);
+  std::cout << summary(options.out, tally, left_out);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ NumberList::NumberList(const std::string& option, const std::string& text, const
   std::istringstream fields(text);
   for (std::string field; std::getline(fields, field, ',');) {
     const std::optional<double> number = parse_number(field);
-    if (!number) throw error("'" + field + "' is not a number");
+    if (!number) throw error("'" + std::string(topobag::trimmed(field)) + "' is not a number");
     numbers_.push_back(*number);
   }
 }

@@ -2,49 +2,53 @@
 #include "pose_files.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
 #include <sstream>
 
 #include <topobag/evaluation/kitti_trajectory.hpp>
 #include <topobag/evaluation/tum_trajectory.hpp>
 
+#include "csv_pose.hpp"
 #include "csv_reader.hpp"
 
 namespace program {
 namespace {
 
 PoseFormat format_of(const std::string& path) {
-  std::istringstream lines(read_file(path));
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos || line.front() == '#') continue;
-    if (line.find(':') != std::string::npos) return PoseFormat::openloris;
-    if (line.find(',') != std::string::npos) return PoseFormat::frames;
-    std::istringstream fields(line);
-    const auto count = std::distance(std::istream_iterator<std::string>(fields), {});
-    return count == 12 ? PoseFormat::kitti : PoseFormat::tum;
+  std::istringstream stream(read_file(path));
+  topobag::TextLines lines(stream, path);
+  std::string_view line;
+  if (!lines.next(line)) throw InputError(path, "there is no pose in the file");
+  std::vector<std::string_view> fields;
+  topobag::TextLines::split(line, fields);
+  if (topobag::parse_number(fields.front())) {
+    if (fields.size() == 12) return PoseFormat::kitti;
+    if (fields.size() == 8) return PoseFormat::tum;
+    throw lines.error("here are " + std::to_string(fields.size()) +
+                      " numbers; poses are lines of 8 (TUM: timestamp tx ty tz qx qy qz qw) or 12 "
+                      "(KITTI: a 3 x 4 matrix)");
   }
-  throw InputError(path, "there is no pose in the file");
+  const bool named = std::find(fields.begin(), fields.end(), "timestamp") != fields.end();
+  if (named) return PoseFormat::frames;
+  if (topobag::openloris_header_end(line) != std::string_view::npos) return PoseFormat::openloris;
+  throw lines.error(
+      "this begins no file of poses: neither numbers (TUM, KITTI) nor 'key: value' (OpenLORIS) nor "
+      "a header that names 'timestamp' (SET.frames.csv)");
 }
 
 topobag::Trajectory read_frame_poses(const std::string& path) {
   CsvReader csv(path);
-  const std::array<const char*, 8> names{"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
-  std::array<std::size_t, 8> columns{};
-  for (std::size_t i = 0; i < names.size(); ++i) columns[i] = csv.column(names[i]);
+  const std::size_t timestamp = csv.column("timestamp");
+  csv.column("tx");
+  const CsvPose pose(csv);
   topobag::Trajectory trajectory;
   while (csv.next()) {
-    std::array<double, 8> v{};
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] = csv.number(columns[i]);
-    const Eigen::Quaterniond rotation(v[7], v[4], v[5], v[6]);
-    if (std::abs(rotation.norm() - 1.0) > 0.01) {
-      throw csv.error("the quaternion qx qy qz qw does not have unit length");
-    }
-    if (!trajectory.empty() && !(v[0] > trajectory.back().stamp_s)) {
+    const double stamp = csv.seconds(timestamp);
+    const auto T_world_camera = pose.read();
+    if (!T_world_camera) throw csv.error("the frame has no pose");
+    if (!trajectory.empty() && !(stamp > trajectory.back().stamp_s)) {
       throw csv.error("the timestamp is not later than the one before");
     }
-    trajectory.push_back({v[0], Eigen::Translation3d(v[1], v[2], v[3]) * rotation.normalized()});
+    trajectory.push_back({stamp, *T_world_camera});
   }
   return trajectory;
 }
@@ -55,7 +59,8 @@ PoseFile read_pose_file(const std::string& path, const std::string& times,
                         topobag::RepeatedPoses repeated) {
   PoseFile file;
   file.format = format_of(path);
-  topobag::Trajectory& single = file.content.sequences[1];
+  file.stamped = file.format != PoseFormat::kitti || !times.empty();
+  topobag::Trajectory single;
   switch (file.format) {
     case PoseFormat::openloris:
       file.content = topobag::read_openloris(path, repeated);
@@ -74,6 +79,12 @@ PoseFile read_pose_file(const std::string& path, const std::string& times,
       }
       break;
   }
+  if (!single.empty()) file.content.sequences[1] = std::move(single);
+  const auto& sequences = file.content.sequences;
+  if (std::all_of(sequences.begin(), sequences.end(),
+                  [](const auto& sequence) { return sequence.second.empty(); })) {
+    throw InputError(path, "there is no pose in the file");
+  }
   return file;
 }
 
@@ -86,6 +97,16 @@ topobag::Trajectory read_trajectory(const std::string& path, const std::string& 
     throw InputError(path, "the file does not hold one trajectory; give one sequence");
   }
   return file.content.sequences.begin()->second;
+}
+
+std::string span_text(const topobag::Trajectory& trajectory) {
+  std::ostringstream text;
+  text.precision(15);
+  text << trajectory.size() << " poses";
+  if (!trajectory.empty()) {
+    text << " from " << trajectory.front().stamp_s << " to " << trajectory.back().stamp_s << " s";
+  }
+  return text.str();
 }
 
 }  // namespace program

@@ -103,6 +103,7 @@ std::string to_json(const RecognitionRun& run) {
   Json json{{"keyframes", run.queries.size()},
             {"map_keyframes", run.map.size()},
             {"queries", summary.queries},
+            {"queries_in_map", run.in_map},
             {"accepted", summary.accepted},
             {"correct", summary.correct},
             {"imprecise", summary.imprecise},
@@ -130,6 +131,8 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
   };
   out << '\n';
   row("queries", summary.queries) << "key frames with a usable graph and a candidate\n";
+  if (run.in_map > 0)
+    row("in the map", run.in_map) << "they are the map's own, and find themselves\n";
   row("accepted", summary.accepted);
   if (summary.queries > 0) {
     out << std::setprecision(0)

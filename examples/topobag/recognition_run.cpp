@@ -4,6 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
+#include <utility>
+
+#include <topobag/bag/graph_codec.hpp>
+
+#include "input_error.hpp"
 
 namespace program {
 namespace {
@@ -21,6 +27,33 @@ std::optional<double> median(std::vector<double> values) {
 
 std::string name_of(const std::string& set) {
   return std::filesystem::path(set).filename().string();
+}
+
+void require_queries(const RecognitionRun& run) {
+  std::size_t unusable = 0;
+  for (const LookUp& look_up : run.look_ups) {
+    if (look_up.is_query()) return;
+    if (!look_up.recognition.usable) ++unusable;
+  }
+  const std::size_t all = run.look_ups.size();
+  throw InputError(run.query_set,
+                   "none of the " + std::to_string(all) +
+                       " key frames could be looked up: " + std::to_string(unusable) +
+                       " have no usable graph, " + std::to_string(all - unusable) +
+                       " nothing to compare with, such as a key frame that is older "
+                       "by --min-gap");
+}
+
+std::size_t count_in_map(const RecognitionRun& run) {
+  std::multimap<double, const Keyframe*> by_time;
+  for (const Keyframe& keyframe : run.map) by_time.emplace(keyframe.timestamp, &keyframe);
+  const auto is_in_map = [&](const Keyframe& query) {
+    const auto [begin, end] = by_time.equal_range(query.timestamp);
+    return std::any_of(begin, end, [&](const auto& other) {
+      return topobag::encode(other.second->graph) == topobag::encode(query.graph);
+    });
+  };
+  return static_cast<std::size_t>(std::count_if(run.queries.begin(), run.queries.end(), is_in_map));
 }
 
 void score(RecognitionRun& run, const Scoring& scoring) {

@@ -40,11 +40,19 @@ struct RecognitionRun {
   std::vector<Keyframe> map;
   std::vector<Keyframe> queries;
   std::vector<LookUp> look_ups;               ///< parallel to `queries`
+  std::size_t in_map = 0;                     ///< queries that are key frames of the map itself
   std::optional<CalibratedRun> calibrated{};  ///< where the decision was
 };
 
 /// The name of a table without its folder.
 std::string name_of(const std::string& set);
+
+/// Throws InputError where no key frame could be looked up, and says why.
+void require_queries(const RecognitionRun& run);
+
+/// How many of the queries are among the map's key frames: of one time and one graph, as files keep
+/// it. They find themselves.
+std::size_t count_in_map(const RecognitionRun& run);
 
 /// What an accepted match is held against.
 struct Scoring {

@@ -5,11 +5,16 @@
 #include <cmath>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
+#include <topobag/evaluation/text_lines.hpp>
 #include <topobag/evaluation/tum_trajectory.hpp>
+#include <topobag/types/stamp.hpp>
 
 #include "csv_reader.hpp"
 #include "input_error.hpp"
+#include "pose_files.hpp"
 
 namespace program {
 namespace {
@@ -24,24 +29,20 @@ struct StampedFile {
 /// Reads lines of `entries` times "timestamp file"; files are relative to the list's folder.
 std::vector<std::vector<StampedFile>> read_list(const fs::path& list, std::size_t entries) {
   std::vector<std::vector<StampedFile>> rows;
-  std::istringstream lines(read_file(list.string()));
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos || line.front() == '#') continue;
-    std::istringstream fields(line);
-    std::vector<StampedFile> row;
-    for (std::string stamp, file; fields >> stamp >> file;) {
-      const std::optional<double> timestamp = parse_number(stamp);
-      if (!timestamp) {
-        throw InputError(list.string(), number, "'" + stamp + "' is not a timestamp in seconds");
-      }
-      row.push_back({*timestamp, (list.parent_path() / file).string()});
+  std::istringstream stream(read_file(list.string()));
+  topobag::TextLines lines(stream, list.string());
+  std::vector<std::string_view> fields;
+  for (std::string_view line; lines.next(line);) {
+    topobag::TextLines::split(line, fields);
+    if (fields.size() != 2 * entries) {
+      throw lines.error("the line does not hold " + std::to_string(entries) +
+                        " times 'timestamp file'");
     }
-    if (row.size() != entries) {
-      throw InputError(
-          list.string(), number,
-          "the line does not hold " + std::to_string(entries) + " times 'timestamp file'");
+    std::vector<StampedFile> row;
+    for (std::size_t i = 0; i < fields.size(); i += 2) {
+      const double timestamp = lines.number(fields[i]);
+      lines.located([&] { topobag::require_seconds(timestamp); });
+      row.push_back({timestamp, (list.parent_path() / fields[i + 1]).string()});
     }
     rows.push_back(std::move(row));
   }
@@ -62,8 +63,9 @@ const StampedFile* nearest_depth(const std::vector<std::vector<StampedFile>>& de
   return nearest;
 }
 
-std::vector<RgbdFrame> read_pairs(const fs::path& folder) {
-  std::vector<RgbdFrame> frames;
+RgbdSequence read_pairs(const fs::path& folder) {
+  RgbdSequence sequence;
+  std::vector<RgbdFrame>& frames = sequence.frames;
   if (fs::exists(folder / "associations.txt")) {
     for (const auto& row : read_list(folder / "associations.txt", 2)) {
       frames.push_back({row[0].timestamp, row[0].path, row[1].path, std::nullopt});
@@ -73,6 +75,8 @@ std::vector<RgbdFrame> read_pairs(const fs::path& folder) {
     for (const auto& row : read_list(folder / "rgb.txt", 1)) {
       if (const StampedFile* depth = nearest_depth(depths, row[0].timestamp)) {
         frames.push_back({row[0].timestamp, row[0].path, depth->path, std::nullopt});
+      } else {
+        ++sequence.without_depth;
       }
     }
   }
@@ -80,22 +84,31 @@ std::vector<RgbdFrame> read_pairs(const fs::path& folder) {
   std::stable_sort(frames.begin(), frames.end(), [](const RgbdFrame& a, const RgbdFrame& b) {
     return a.timestamp < b.timestamp;
   });
-  return frames;
+  return sequence;
+}
+
+void read_truth(const std::string& path, std::vector<RgbdFrame>& frames) {
+  const double max_gap_s = 0.1;
+  const topobag::Trajectory truth = topobag::read_tum(path);
+  bool any = false;
+  for (RgbdFrame& frame : frames) {
+    frame.T_world_camera = topobag::pose_at(truth, frame.timestamp, max_gap_s);
+    any = any || frame.T_world_camera;
+  }
+  if (any) return;
+  throw InputError(path, span_text(truth) + " reach none of the images, from " +
+                             std::to_string(frames.front().timestamp) + " to " +
+                             std::to_string(frames.back().timestamp) +
+                             " s; are both of one clock?");
 }
 
 }  // namespace
 
-std::vector<RgbdFrame> read_tum_sequence(const std::string& folder) {
-  std::vector<RgbdFrame> frames = read_pairs(folder);
-  const fs::path truth_file = fs::path(folder) / "groundtruth.txt";
-  if (fs::exists(truth_file)) {
-    const double max_gap_s = 0.1;
-    const topobag::Trajectory truth = topobag::read_tum(truth_file.string());
-    for (RgbdFrame& frame : frames) {
-      frame.T_world_camera = topobag::pose_at(truth, frame.timestamp, max_gap_s);
-    }
-  }
-  return frames;
+RgbdSequence read_tum_sequence(const std::string& folder) {
+  RgbdSequence sequence = read_pairs(folder);
+  const fs::path truth = fs::path(folder) / "groundtruth.txt";
+  if (fs::exists(truth)) read_truth(truth.string(), sequence.frames);
+  return sequence;
 }
 
 }  // namespace program

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "saved_map.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
+#include <topobag/bag/graph_codec.hpp>
+#include <topobag/bag/session_number.hpp>
 #include <topobag/bag/snapshot_file.hpp>
+#include <topobag/bag/writer_lock.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
+#include <topobag/types/utf8.hpp>
 
 #include "input_error.hpp"
 #include "sqlite_map.hpp"
@@ -14,6 +22,7 @@
 namespace program {
 namespace {
 
+namespace fs = std::filesystem;
 using Bag = topobag::BagOfTopologyGraphs<>;
 
 std::uint64_t class_fingerprint() { return topobag::fingerprint(topobag::ClassCatalog::coco80()); }
@@ -37,34 +46,62 @@ SavedMap read_snapshot(const std::string& path) {
   return saved;
 }
 
-void extend_snapshot(const std::string& path, const std::vector<Keyframe>& keyframes) {
-  Bag bag = std::filesystem::exists(path) ? read_snapshot(path).bag : Bag();
+void extend_snapshot(const std::string& path, Bag bag, const Bag& entries) {
   const std::set<std::uint32_t> sessions = sessions_in(bag);
-  const std::uint32_t session = sessions.empty() ? 0 : *sessions.rbegin() + 1;
-  for (const MapEntry& entry : new_entries(bag, session, keyframes)) {
-    bag.add(entry.id, *entry.graph, entry.info);
-  }
+  const std::uint32_t session = topobag::next_session(
+      sessions.empty() ? std::nullopt : std::optional<std::uint32_t>(*sessions.rbegin()));
+  entries.for_each([&](topobag::KeyframeId id, topobag::EntryInfo info, const auto& graph) {
+    info.session = session;
+    bag.add(id, graph, std::move(info));
+  });
   topobag::SaveOptions options;
   options.catalog_fingerprint = class_fingerprint();
   topobag::save(bag, path, options);
 }
 
-std::string beginning_of(const std::string& path) {
+/// Throws when a map holds all of the entries: a sequence mapped twice is found by itself.
+void require_new(const std::string& path, const Bag& bag, const Bag& entries) {
+  std::multimap<double, topobag::KeyframeId> by_stamp;
+  bag.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info, const auto&) {
+    if (info.stamp) by_stamp.emplace(*info.stamp, id);
+  });
+  std::set<std::uint32_t> sessions;
+  bool all = true;
+  entries.for_each([&](topobag::KeyframeId, const topobag::EntryInfo& info, const auto& graph) {
+    if (!all) return;
+    const auto same_time = by_stamp.equal_range(info.stamp.value_or(0.0));
+    const auto same = std::find_if(same_time.first, same_time.second, [&](const auto& other) {
+      return topobag::encode(*bag.find(other.second)) == topobag::encode(graph);
+    });
+    all = same != same_time.second;
+    if (all) sessions.insert(bag.info(same->second)->session);
+  });
+  if (!all || sessions.empty()) return;
+  throw InputError(path, "the map holds these key frames already, as session " +
+                             std::to_string(*sessions.begin()) +
+                             ": mapped twice, a place is found by itself");
+}
+
+enum class MapKind { sqlite, snapshot };
+
+/// By the file's first bytes, whatever its name.
+MapKind kind_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path, "the file cannot be opened; check the path");
-  std::string bytes(16, '\0');
-  file.read(bytes.data(), 16);
-  return bytes;
+  std::string beginning(16, '\0');
+  file.read(beginning.data(), 16);
+  if (beginning.compare(0, 15, "SQLite format 3") == 0) return MapKind::sqlite;
+  if (beginning.compare(0, 8, "\x89TBG\r\n\x1a\n") == 0) return MapKind::snapshot;
+  throw InputError(path, "it is no map: neither an SQLite map nor a snapshot of topobag");
 }
 
 }  // namespace
 
-std::vector<MapEntry> new_entries(const Bag& bag, std::uint32_t session,
-                                  const std::vector<Keyframe>& keyframes) {
+Bag new_entries(const Bag& bag, const std::vector<Keyframe>& keyframes) {
   std::uint64_t first = 0;
   bag.for_each(
       [&](topobag::KeyframeId id, const auto&, const auto&) { first = topobag::value(id) + 1; });
-  std::vector<MapEntry> entries;
+  Bag entries;
   for (const Keyframe& keyframe : keyframes) {
     if (keyframe.idx < 0) {
       throw InputError("frame idx " + std::to_string(keyframe.idx) +
@@ -72,35 +109,39 @@ std::vector<MapEntry> new_entries(const Bag& bag, std::uint32_t session,
     }
     topobag::EntryInfo info;
     info.stamp = keyframe.timestamp;
-    info.session = session;
     info.T_world_camera = keyframe.T_world_camera;
-    entries.push_back({topobag::KeyframeId{first + static_cast<std::uint64_t>(keyframe.idx)},
-                       std::move(info), &keyframe.graph});
+    entries.add(topobag::KeyframeId{first + static_cast<std::uint64_t>(keyframe.idx)},
+                keyframe.graph, std::move(info));
   }
   return entries;
 }
 
 SavedMap read_saved_map(const std::string& path) {
-  const std::string beginning = beginning_of(path);
-  if (beginning.compare(0, 15, "SQLite format 3") == 0) return read_sqlite_map(path);
-  if (beginning.compare(0, 8, "\x89TBG\r\n\x1a\n") == 0) return read_snapshot(path);
-  throw InputError(path, "it is no map: neither an SQLite map nor a snapshot of topobag");
+  return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path) : read_snapshot(path);
 }
 
 void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, bool append) {
-  if (std::filesystem::exists(path) && !append) {
+  topobag::require_utf8(session, "--session");
+  const topobag::WriterLock lock(path);
+  const bool exists = fs::exists(path);
+  if (exists && !append) {
     throw InputError(path, "it exists; give --append to go on mapping, or another name");
   }
-  if (std::filesystem::path(path).extension() == ".db") {
-    extend_sqlite_map(path, session, keyframes);
+  const bool sqlite =
+      exists ? kind_of(path) == MapKind::sqlite : fs::path(path).extension() == ".db";
+  Bag bag = exists ? read_saved_map(path).bag : Bag();
+  const Bag entries = new_entries(bag, keyframes);
+  require_new(path, bag, entries);
+  if (sqlite) {
+    extend_sqlite_map(path, session, entries);
   } else {
-    extend_snapshot(path, keyframes);
+    extend_snapshot(path, std::move(bag), entries);
   }
 }
 
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options) {
-  if (!std::filesystem::is_regular_file(map)) return read_keyframes(map, options);
+  if (!fs::is_regular_file(map)) return read_keyframes(map, options);
   std::vector<Keyframe> keyframes;
   read_saved_map(map).bag.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info,
                                        const topobag::TopologyGraph<>& graph) {

@@ -24,24 +24,19 @@ struct SavedMap {
   topobag::BagOfTopologyGraphs<> bag;
 };
 
-/// A key frame on its way into a map.
-struct MapEntry {
-  topobag::KeyframeId id{};
-  topobag::EntryInfo info;
-  const topobag::TopologyGraph<>* graph = nullptr;
-};
-
-/// The entries that `keyframes` make in a map that holds `bag`: ids are the frames' numbers, beyond
-/// those that are there. Throws InputError for a frame with a negative number.
-std::vector<MapEntry> new_entries(const topobag::BagOfTopologyGraphs<>& bag, std::uint32_t session,
-                                  const std::vector<Keyframe>& keyframes);
+/// The entries that `keyframes` make beside those of `bag`: ids are the frames' numbers, beyond
+/// those that are there. Throws InputError for a frame with a negative number, topobag::Error as
+/// `add` does.
+topobag::BagOfTopologyGraphs<> new_entries(const topobag::BagOfTopologyGraphs<>& bag,
+                                           const std::vector<Keyframe>& keyframes);
 
 /// Throws InputError for a file that is neither kind of map; topobag::Error for one that is
 /// damaged.
 SavedMap read_saved_map(const std::string& path);
 
-/// Writes a session: FILE.db becomes an SQLite map, any other name a snapshot. A map that is there
-/// has to be asked for with `append`. Throws InputError and topobag::Error.
+/// Writes a session, whole or not at all: FILE.db becomes an SQLite map, any other name a snapshot;
+/// a map that is there stays what it is and has to be asked for with `append`. Who writes to the
+/// same map meanwhile waits. Throws InputError and topobag::Error.
 void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, bool append);
 

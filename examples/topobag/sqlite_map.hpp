@@ -2,7 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include <topobag/bag/bag_of_topology_graphs.hpp>
 
 #include "saved_map.hpp"
 
@@ -12,8 +13,8 @@ namespace program {
 /// program was built without SQLite; so does the next.
 SavedMap read_sqlite_map(const std::string& path);
 
-/// Adds a session to an SQLite map, which is made where there is none.
+/// Adds a session to an SQLite map, which is made where there is none: whole, or not at all.
 void extend_sqlite_map(const std::string& path, const std::string& session,
-                       const std::vector<Keyframe>& keyframes);
+                       const topobag::BagOfTopologyGraphs<>& entries);
 
 }  // namespace program

@@ -12,6 +12,7 @@
 
 #include <topobag/evaluation/lifelong_score.hpp>
 #include <topobag/evaluation/relative_pose_error.hpp>
+#include <topobag/types/rigid_motion.hpp>
 
 #include "commands.hpp"
 #include "csv_reader.hpp"
@@ -62,9 +63,11 @@ Eigen::Isometry3d body_frame(const TrajectoryOptions& options, const std::string
     v.push_back(*number);
   }
   if (v.size() != 7) throw no_pose;
-  const Eigen::Quaterniond rotation(v[6], v[3], v[4], v[5]);
-  if (std::abs(rotation.norm() - 1.0) > 0.01) throw no_pose;
-  return Eigen::Translation3d(v[0], v[1], v[2]) * rotation.normalized();
+  try {
+    return topobag::pose_from_numbers(v);
+  } catch (const topobag::InvalidValue&) {
+    throw no_pose;
+  }
 }
 
 Json statistics_json(const std::optional<topobag::ErrorStatistics>& s) {
@@ -146,6 +149,29 @@ std::string errors_csv(const std::map<int, topobag::SequenceScore>& scores) {
   return text.str();
 }
 
+/// A pose's number is no time: poses that have none but that go with poses that have one.
+void require_one_clock(const TrajectoryOptions& options, const PoseFile& truth,
+                       const PoseFile& estimate) {
+  if (truth.stamped == estimate.stamped) return;
+  throw InputError(truth.stamped ? options.estimate : options.groundtruth,
+                   "a KITTI trajectory has no time stamps, the other one has: give --times");
+}
+
+/// Throws where nothing was scored.
+void require_match(const TrajectoryOptions& options, const PoseFile& truth,
+                   const PoseFile& estimate, const std::map<int, topobag::SequenceScore>& scores) {
+  std::string why = "no sequence is in both";
+  for (const auto& [number, score] : scores) {
+    if (!score.pairs.empty()) return;
+    const auto poses = [&, n = number](const PoseFile& file) {
+      const auto found = file.content.sequences.find(n);
+      return found == file.content.sequences.end() ? "none" : span_text(found->second);
+    };
+    why = poses(estimate) + ", the truth has " + poses(truth) + "; are both of one clock?";
+  }
+  throw InputError(options.estimate, "no pose lies between two true ones of its time: " + why);
+}
+
 void score_trajectory(const TrajectoryOptions& options) {
   const auto repeated =
       options.keep_repeated ? topobag::RepeatedPoses::keep : topobag::RepeatedPoses::drop;
@@ -155,6 +181,7 @@ void score_trajectory(const TrajectoryOptions& options) {
       estimate.format != PoseFormat::kitti) {
     throw InputError("--times " + options.times, "only KITTI trajectories go with a file of times");
   }
+  require_one_clock(options, truth, estimate);
   const Eigen::Isometry3d T_body = body_frame(options, estimate.content.frame);
   for (auto& [number, trajectory] : truth.content.sequences) {
     trajectory = topobag::in_frame(std::move(trajectory), T_body);
@@ -165,6 +192,7 @@ void score_trajectory(const TrajectoryOptions& options) {
   rules.interpolation = benchmark ? RotationInterpolation::openloris : RotationInterpolation::slerp;
   const auto scores =
       topobag::score_lifelong(truth.content.sequences, estimate.content.sequences, rules);
+  require_match(options, truth, estimate, scores);
 
   Json result;
   result["groundtruth"] = options.groundtruth;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -23,7 +24,9 @@ TEST_CASE("files that are no map of ours are refused and stay as they are", "[sq
   const ScratchFolder folder;
   const std::string text = folder.write("text.db", std::string(5000, 'x'));
   CHECK(error_text([&] { SqliteBag<> map(text); }) ==
-        text + ": file is not a database; take another copy");
+        text +
+            ": file is not a database: it is no SQLite map (a snapshot is for `load`), or damaged; "
+            "take another copy");
   const std::string foreign = folder.path("foreign.db");
   detail::SqliteConnection(foreign, false).run("CREATE TABLE photos(id)");
   const std::string before = content_of(foreign);
@@ -149,4 +152,111 @@ TEST_CASE("a graph of a later version within the file is named", "[sqlite][gravi
   CHECK(error_text([&] {
           SqliteBag<> map(path);
         }).find(path + ": key frame 3 cannot be read: a graph of format 3; this version") == 0);
+}
+
+TEST_CASE("a name that is no file is refused, as nothing would be kept", "[sqlite]") {
+  for (const std::string name : {"", ":memory:"}) {
+    CHECK(error_text([&] { SqliteBag<> map(name); }) ==
+          "'" + name + "' is no file: a map there would be gone at the end; name one");
+  }
+}
+
+TEST_CASE("numbers edited by hand are read as they are or refused, never as 0", "[sqlite]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db");
+  EntryInfo posed;
+  posed.stamp = 2.5;
+  posed.T_world_camera = Eigen::Isometry3d::Identity();
+  { SqliteBag<>(path).add(KeyframeId{3}, {}, posed); }
+  const std::string whole = content_of(path);
+  const auto edited = [&](const std::string& change) {
+    folder.write("map.db", whole);
+    detail::SqliteConnection(path, false).run(("UPDATE keyframe SET " + change).c_str());
+    return error_text([&] { SqliteBag<> map(path, read_only()); });
+  };
+  const std::string begin = path + ": key frame 3 cannot be read: ";
+  CHECK(edited("stamp = 7") == "nothing was thrown");
+  CHECK(edited("stamp = 'noon'") == begin + "its 'stamp' is 'noon', which is no number");
+  CHECK(edited("stamp = 1.3e18").find(begin + "the time stamp") == 0);
+  CHECK(edited("qw = 2").find(begin + "the quaternion") == 0);
+  CHECK(edited("ty = NULL") == begin + "its pose is not whole: tx to qw are seven numbers");
+  CHECK(edited("session = -1") == begin + "its session is no whole number of 32 bits");
+  CHECK(edited("session = 4294967296") == begin + "its session is no whole number of 32 bits");
+}
+
+TEST_CASE("sessions are numbered up to the last one and named in UTF-8", "[sqlite]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db");
+  SqliteBag<> map(path);
+  CHECK(error_text([&] {
+          map.begin_session(
+              "K\xFC"
+              "che");
+        }) == "the session's name is not UTF-8");
+  EntryInfo last;
+  last.session = 0xFFFFFFFFU;
+  map.add(KeyframeId{1}, {}, last);
+  CHECK(error_text([&] { map.begin_session("Monday"); }) ==
+        "the numbers of sessions are used up: there are 2^32");
+  CHECK(map.sessions().empty());
+}
+
+TEST_CASE("a session is added whole or not at all", "[sqlite]") {
+  const ScratchFolder folder;
+  std::mt19937 random(11);
+  const std::string path = folder.path("map.db");
+  BagOfTopologyGraphs<> run;
+  for (std::uint64_t id = 0; id < 5; ++id) run.add(KeyframeId{id}, random_graph(random, 5));
+  {
+    SqliteBag<> map(path);
+    map.add(KeyframeId{3}, {});
+    CHECK_THROWS_AS(map.add_session("Monday", run), InvalidId);
+    CHECK(map.sessions().empty());
+    CHECK(map.bag().size() == 1);
+    map.erase(KeyframeId{3});
+    CHECK(map.add_session("Tuesday", run) == 0);
+    CHECK(map.begin_session("Wednesday") == 1);
+    CHECK(map.bag().size() == 5);
+  }
+  const SqliteBag<> map(path, read_only());
+  CHECK(map.bag().info(KeyframeId{4})->session == 0);
+  REQUIRE(map.sessions().size() == 2);
+  CHECK(map.sessions()[0].name == "Tuesday");
+}
+
+TEST_CASE("a map that was not closed and lost its journal is refused", "[sqlite]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db"), copy = folder.path("copy.db");
+  SqliteBag<> map(path);  // open: as after a crash
+  map.add(KeyframeId{1}, {});
+  folder.write("copy.db", content_of(path));
+  const std::string before = content_of(copy);
+  for (const SqliteOptions& options : {SqliteOptions{}, read_only()}) {
+    CHECK(error_text([&] { SqliteBag<> lost(copy, options); }) ==
+          copy + ": it was not closed, and " + copy +
+              "-wal, which holds what was written last, is missing: copy both files");
+  }
+  CHECK(content_of(copy) == before);
+  CHECK_FALSE(std::filesystem::exists(copy + "-wal"));
+  folder.write("whole.db", content_of(path));
+  folder.write("whole.db-wal", content_of(path + "-wal"));
+  CHECK(SqliteBag<>(folder.path("whole.db")).bag().size() == 1);
+}
+
+TEST_CASE("a map that was not closed is not read in a folder that cannot be written", "[sqlite]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db");
+  SqliteBag<> map(folder.path("open.db"));
+  map.add(KeyframeId{1}, {});
+  folder.write("map.db", content_of(folder.path("open.db")));
+  folder.write("map.db-wal", content_of(folder.path("open.db-wal")));
+  REQUIRE(::chmod(folder.path().c_str(), 0555) == 0);
+  const std::string said = text_from_child([&] {
+    if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) return std::string{};
+    return error_text([&] { SqliteBag<> closed(path, read_only()); });
+  });
+  REQUIRE(::chmod(folder.path().c_str(), 0755) == 0);
+  CHECK(said ==
+        path + ": it was not closed, and its folder cannot be written, as reading what is in " +
+            path + "-wal needs: copy both files to a folder that can be");
 }

@@ -88,3 +88,23 @@ TEST_CASE("YOLOv5 rows and YOLOv8 columns give the same boxes", "[adaptors]") {
   CHECK_THROWS_AS(decode_yolov5({rows.data(), 3, columns}, {ClassId{1}}, 0.1), InvalidValue);
   CHECK_THROWS_AS(decode_yolov8({turned.data(), 3, 6}, classes, 0.1), InvalidValue);
 }
+
+TEST_CASE("scores that are no probabilities are refused", "[adaptors]") {
+  const auto five = [](float objectness, float score) {
+    const float row[] = {20, 10, 8, 4, objectness, score, score - 0.5F};
+    return decode_yolov5({row, 1, columns}, classes, 0.1);
+  };
+  CHECK(five(1.0005F, 0.5F).at(0).confidence <= 1.0);  // rounding
+  CHECK_THROWS_AS(five(95.2F, 0.5F), InvalidValue);    // percent
+  CHECK_THROWS_AS(five(1.0F, 1.2F), InvalidValue);
+  CHECK_THROWS_AS(five(-6.0F, -7.0F), InvalidValue);  // logits, whose product is 42
+  const float logits[] = {20, 10, 8, 4, -7, -8};
+  CHECK_THROWS_AS(decode_yolov8({logits, 6, 1}, classes, 0.1), InvalidValue);
+}
+
+TEST_CASE("boxes as shares of the input are refused", "[adaptors]") {
+  const float shares[] = {0.5F, 0.4F, 0.2F, 0.1F, 0.9F, 0.1F};
+  CHECK_THROWS_AS(decode_yolov8({shares, 6, 1}, classes, 0.1), InvalidValue);
+  const float weak[] = {0.5F, 0.4F, 0.2F, 0.1F, 0.05F, 0.01F};
+  CHECK(decode_yolov8({weak, 6, 1}, classes, 0.1).empty());
+}

@@ -172,3 +172,7 @@ TEST_CASE("ties are cut off by id", "[bag]") {
 TEST_CASE("what is refused says why and changes nothing", "[bag]") {
   check_refusals<BagOfTopologyGraphs<>>();
 }
+
+TEST_CASE("a bag may be changed while it is walked through", "[bag]") {
+  check_walk_that_changes_the_bag<BagOfTopologyGraphs<>>();
+}

@@ -246,3 +246,7 @@ TEST_CASE("a least score beyond those there are is no trap", "[bag][index]") {
 TEST_CASE("what an indexed bag refuses changes nothing", "[bag][index]") {
   check_refusals<IndexedBag>();
 }
+
+TEST_CASE("an indexed bag may be changed while it is walked through", "[bag]") {
+  check_walk_that_changes_the_bag<IndexedBag>();
+}

@@ -47,12 +47,12 @@ TEST_CASE("a list of pairs, with and without relative poses", "[evaluation]") {
 
 TEST_CASE("what is neither is refused with file and line", "[evaluation]") {
   CHECK(scores_complaint("") == "scores.csv holds no scores.");
-  CHECK(scores_complaint("1,2\n1\n").find("scores.csv, line 2: ") == 0);
+  CHECK(scores_complaint("1,2\n1\n").find("scores.csv:2: ") == 0);
   CHECK(scores_complaint("1,2\n1,x\n").find("'x' is not a number") != std::string::npos);
-  CHECK(scores_complaint("1,2\n1,,2\n").find("is not a number") != std::string::npos);
+  CHECK(scores_complaint("1,2\n1,,2\n").find("a number is missing") != std::string::npos);
   CHECK(scores_complaint("1,2\n1,2,\n").find("a number is missing") != std::string::npos);
-  CHECK(scores_complaint("query,match,score\n").find("line 1: the header") != std::string::npos);
-  CHECK(scores_complaint("query,candidate,score\n1,2\n").find("line 2") != std::string::npos);
+  CHECK(scores_complaint("query,match,score\n").find(":1: the header") != std::string::npos);
+  CHECK(scores_complaint("query,candidate,score\n1,2\n").find(":2: ") != std::string::npos);
   CHECK(scores_complaint("query,candidate,score\n-1,2,0\n").find("row numbers") !=
         std::string::npos);
   CHECK(scores_complaint("query,candidate,score\n1,2.5,0\n").find("row numbers") !=

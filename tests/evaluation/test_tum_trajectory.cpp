@@ -42,12 +42,11 @@ TEST_CASE("a TUM trajectory with comments, blanks, tabs and CR LF", "[evaluation
 
 TEST_CASE("what is not a TUM trajectory is refused with file and line", "[evaluation]") {
   const std::string good = "1 0 0 0 0 0 0 1\n";
-  CHECK(contains(tum_complaint(good + "# c\n2 0 0 0 0 0 1\n"), "room.txt, line 3: "));
+  CHECK(contains(tum_complaint(good + "# c\n2 0 0 0 0 0 1\n"), "room.txt:3: "));
   CHECK(contains(tum_complaint(good + "2 0 0 0 0 0 0 1 0\n"), "8 numbers"));
-  CHECK(contains(tum_complaint(good + "1 0 0 0 0 0 0 1\n"), "line 2: the time stamp is not later"));
-  CHECK(
-      contains(tum_complaint(good + "0.5 0 0 0 0 0 0 1\n"), "line 2: the time stamp is not later"));
-  CHECK(contains(tum_complaint("1 0 0 x7 0 0 0 1\n"), "line 1: 'x7' is not a number"));
+  CHECK(contains(tum_complaint(good + "1 0 0 0 0 0 0 1\n"), ":2: the time stamp is not later"));
+  CHECK(contains(tum_complaint(good + "0.5 0 0 0 0 0 0 1\n"), ":2: the time stamp is not later"));
+  CHECK(contains(tum_complaint("1 0 0 x7 0 0 0 1\n"), ":1: 'x7' is not a number"));
   CHECK(contains(tum_complaint("1 0 0 1,5 0 0 0 1\n"), "is not a number"));
   CHECK(contains(tum_complaint("1 0 0 1.5m 0 0 0 1\n"), "'1.5m' is not a number"));
   CHECK(contains(tum_complaint("1 0 0 nan 0 0 0 1\n"), "not finite"));

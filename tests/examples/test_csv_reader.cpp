@@ -72,7 +72,7 @@ TEST_CASE("numbers are finite and whole fields", "[examples]") {
 
 TEST_CASE("integers are whole numbers that fit", "[examples]") {
   const ScratchFolder folder;
-  for (const std::string bad : {"1.0", "", "9223372036854775808", "x"}) {
+  for (const std::string bad : {"1.5", "", "9223372036854775808", "x"}) {
     CsvReader csv(folder.write("t.csv", "i,j\n" + bad + ",0\n"));
     REQUIRE(csv.next());
     CHECK(error_in(folder, [&] { csv.integer(0); }) ==
@@ -85,5 +85,5 @@ TEST_CASE("a missing CSV file is named", "[examples]") {
   CHECK(error_in(folder, [&] { CsvReader csv(folder.path("none.csv")); }) ==
         "none.csv: the file cannot be opened; check the path");
   CHECK(error_in(folder, [&] { program::write_file(folder.path("no/where"), ""); }) ==
-        "no/where: the file cannot be written; check the folder and its rights");
+        "no/where cannot be written: No such file or directory");
 }

@@ -134,3 +134,17 @@ TEST_CASE("topobag evaluate: bad input is said in a sentence", "[program][evalua
   refused(good + " --level nan", "'nan' is not a number in [0.01, 0.999]");
   refused(good + " --accept nan", "'nan' is not a number in (-inf, inf)");
 }
+
+TEST_CASE("topobag evaluate: poses without times do not go with seconds", "[program][evaluation]") {
+  const ScratchFolder folder;
+  const std::string kitti =
+      folder.write("kitti.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 9 0 1 0 0 0 0 1 0\n");
+  const std::string files =
+      "--poses " + kitti + " --scores " + folder.write("scores.csv", "nan,.9\n.9,nan\n");
+  CHECK(refusal("evaluate " + files + " --protocol distance=1,exclude-seconds=5") ==
+        kitti +
+            ": exclude-seconds needs times, which a KITTI trajectory has not: give --times, or "
+            "exclude-frames");
+  CHECK(run_program("evaluate " + files + " --protocol distance=1,exclude-frames=1").exit_code ==
+        0);
+}

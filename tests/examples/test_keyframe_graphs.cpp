@@ -3,7 +3,9 @@
 
 #include <topobag/edges/delaunay_edges2.hpp>
 
+#include "camera_option.hpp"
 #include "catch.hpp"
+#include "error_text.hpp"
 #include "keyframe_graphs.hpp"
 #include "sample.hpp"
 #include "scratch.hpp"
@@ -123,4 +125,38 @@ TEST_CASE("a key frame uses all detections of its table", "[examples]") {
   detections.resize(300, detections.front());
   const auto keyframes = keyframe_graphs(table, {camera, 0.0, 0.0, 0.3});
   CHECK(keyframes[0].graph.views()[0].occluders.size() == 300);
+}
+
+TEST_CASE("a table of another camera's images is refused", "[examples][regression]") {
+  const ScratchFolder folder;
+  KeyframeOptions options{camera, 0.0, 0.0, 0.3};
+  options.camera.width = 320;
+  options.camera.height = 240;
+  CHECK(error_text([&] { read_keyframes(sample_map, options); }).find("fr1_xyz.nodes.csv: ") !=
+        std::string::npos);
+  CHECK(error_text([&] {
+          read_keyframes(sample_map, options);
+        }).find(" boxes lie outside the camera's image of 320 x 240 px, the first around ") !=
+        std::string::npos);
+  CHECK(error_text([] {
+          with_size({1000, 1000, 700, 500}, {640, 480});
+        }) ==
+        "--camera: the principal point 700, 500 lies outside the image of 640 x 480 px; are the "
+        "intrinsics of another image size?");
+}
+
+TEST_CASE("a table without a usable key frame is refused with what became of it", "[examples]") {
+  KeyframeOptions options{camera, 0.0, 0.0, 1.0};
+  const std::string why = error_text([&] { read_keyframes(sample_map, options); });
+  CHECK(why.find("fr1_xyz.nodes.csv: none of the 67 key frames has three objects with a position; "
+                 "of 772 detections in the table 772 are below --min-confidence, 0 move") !=
+        std::string::npos);
+}
+
+TEST_CASE("either file of a table stands for it", "[examples]") {
+  CHECK(set_name("a/b.nodes.csv") == "a/b");
+  CHECK(set_name("a/b.frames.csv") == "a/b");
+  CHECK(set_name("a/b.csv") == "a/b.csv");
+  CHECK(set_name(".nodes.csv") == ".nodes.csv");
+  CHECK(read_node_table(sample_map + ".nodes.csv").frames.size() == 67);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include <topobag/types/catalog_fingerprint.hpp>
 
 #include "catch.hpp"
+#include "child_process.hpp"
 #include "keyframe_graphs.hpp"
 #include "run_program.hpp"
 #include "sample.hpp"
@@ -49,10 +52,8 @@ program::KeyframeOptions sample_keyframes() {
 
 /// Saves key frames as `map` does, but without what their cameras saw.
 void save_without_views(const std::vector<program::Keyframe>& keyframes, const std::string& path) {
-  topobag::BagOfTopologyGraphs<> bag;
-  for (const program::MapEntry& entry : program::new_entries(bag, 0, keyframes)) {
-    bag.add(entry.id, *entry.graph, entry.info);
-  }
+  const topobag::BagOfTopologyGraphs<> bag =
+      program::new_entries(topobag::BagOfTopologyGraphs<>(), keyframes);
   topobag::SaveOptions options;
   options.catalog_fingerprint = topobag::fingerprint(topobag::ClassCatalog::coco80());
   options.views = topobag::ViewSection::left_out;
@@ -141,7 +142,8 @@ TEST_CASE("what is no map is refused by name", "[examples]") {
   CHECK(refusal("info " + cut).find(cut + ": entry ") == 0);
   CHECK(refusal("map --nodes " + sample_map + sample_options + "--out " +
                 folder.path("none/map.bag")) ==
-        folder.path("none/map.bag") + " cannot be written: No such file or directory");
+        folder.path("none/map.bag") +
+            " cannot be written: its folder cannot be locked: No such file or directory");
 }
 
 TEST_CASE("a map without views is localized in and reported, and no drawing is made of it",
@@ -170,4 +172,69 @@ TEST_CASE("a map without a key frame is refused by name", "[examples]") {
   CHECK(refusal("localize --map " + path + " --query " + sample_query + sample_options) ==
         path + ": the map holds no key frame");
   CHECK(Json::parse(output_of("info --json " + path)).at("keyframes") == 0);
+}
+
+TEST_CASE("two commands that append to one map at a time both get in", "[examples]") {
+  for (const std::string& file : map_files) {
+    const ScratchFolder folder;
+    const std::string path = folder.path(file);
+    const auto append = [&](const std::string& table) {
+      return [=](const auto&) {
+        if (run_program("map --nodes " + table + sample_options + "--append --out " + path)
+                .exit_code != 0) {
+          throw std::runtime_error("not added");
+        }
+      };
+    };
+    ChildProcess one(append(sample_map)), other(append(sample_query));
+    CHECK(one.wait());
+    CHECK(other.wait());
+    const Json info = Json::parse(output_of("info --json " + path));
+    CHECK(info.at("keyframes") == 67 + 61);
+    CHECK(info.at("sessions").size() == 2);
+  }
+}
+
+TEST_CASE("a map is what its content says, whatever its name", "[examples]") {
+  for (const std::string& file : map_files) {
+    const ScratchFolder folder;
+    output_of("map --nodes " + sample_map + sample_options + "--out " + folder.path(file));
+    const std::string other = folder.path(file == "map.bag" ? "other.db" : "other.bag");
+    std::filesystem::rename(folder.path(file), other);
+    output_of("map --nodes " + sample_query + sample_options + "--append --out " + other);
+    CHECK(Json::parse(output_of("info --json " + other)).at("keyframes") == 67 + 61);
+  }
+}
+
+TEST_CASE("a command that is refused leaves the map as it was, or none", "[examples]") {
+  for (const std::string& file : map_files) {
+    const ScratchFolder folder;
+    const std::string path = folder.path(file);
+    const std::string out = sample_options + "--out " + path;
+    CHECK(refusal("map --nodes " + sample_map + out +
+                  " --session 'K\xFC"
+                  "che'") == "--session is not UTF-8");
+    program::NodeTable negative = program::read_node_table(sample_map);
+    negative.frames.front().idx = -1;
+    program::write_node_table(folder.path("t"), negative);
+    CHECK(refusal("map --nodes " + folder.path("t") + out).find("frame idx -1 is negative") == 0);
+    CHECK_FALSE(std::filesystem::exists(path));
+    output_of("map --nodes " + sample_map + out);
+    const std::string before = content_of(path);
+    CHECK(refusal("map --append --nodes " + sample_map + out) ==
+          path +
+              ": the map holds these key frames already, as session 0: mapped twice, a place is "
+              "found by itself");
+    CHECK(content_of(path) == before);
+    const auto files = std::filesystem::directory_iterator(folder.path());
+    CHECK(std::distance(begin(files), end(files)) == 3);  // the map and the table
+  }
+}
+
+TEST_CASE("a file whose name is no UTF-8 is told of in JSON that is", "[examples]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("m\xFC.bag");
+  output_of("map --nodes " + sample_map + sample_options + "--out '" + path + "'");
+  CHECK(Json::parse(output_of("info --json '" + path + "'")).at("map") ==
+        folder.path("m\xEF\xBF\xBD.bag"));
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <filesystem>
 #include <numeric>
 #include <regex>
 #include <string>
@@ -48,8 +49,56 @@ TEST_CASE("nodes keeps boxes that the image shows, and accounts for each", "[exa
   for (std::sregex_iterator it(counts.begin(), counts.end(), number), end; it != end; ++it) {
     found.push_back(std::stoi(it->str()));
   }
-  REQUIRE(found.size() == 10);  // frames, detections, nodes and seven reasons
+  REQUIRE(found.size() == 13);  // frames, detections, nodes and seven reasons; two left out, poses
   CHECK(found[1] == 3);
   CHECK(found[2] == 1);
-  CHECK(std::accumulate(found.begin() + 2, found.end(), 0) == found[1]);
+  CHECK(std::accumulate(found.begin() + 2, found.begin() + 10, 0) == found[1]);
+  CHECK(run.out.find("not in the table: 1 boxes of no size, 1 boxes outside the image; frames "
+                     "without a pose: 1\n") != std::string::npos);
+}
+
+TEST_CASE("nodes that finds nothing says why and leaves nothing behind", "[examples]") {
+  const ScratchFolder folder;
+  write_sequence(folder);
+  const auto said = [&](const std::string& boxes) {
+    return refusal("nodes --images " + folder.path() + " --boxes " + folder.path(boxes) +
+                   " --camera 50,50,31.5,23.5 --out " + folder.path("set"));
+  };
+  folder.write("outside.json", R"([
+    {"image_id": "rgb", "category_id": 72, "bbox": [70, 10, 10, 10], "score": 0.5}])");
+  const std::string outside = said("outside.json");
+  if (outside.find("was not built") != std::string::npos) return;  // it needs OpenCV
+  CHECK(outside ==
+        folder.path("outside.json") +
+            ": there is no detection in the 1 images; left out: 1 boxes outside the image");
+  folder.write("other.json", R"([
+    {"image_id": 7, "category_id": 72, "bbox": [7, 10, 10, 10], "score": 0.5}])");
+  CHECK(said("other.json") ==
+        folder.path("other.json") +
+            ": it speaks of none of the sequence's 1 images, but of 1 others, such as '7'; the "
+            "first is 'rgb.ppm'");
+  CHECK_FALSE(std::filesystem::exists(folder.path("set.nodes.csv")));
+  folder.write("associations.txt", "1.0 gone.ppm 1.0 depth.pgm\n");
+  folder.write("gone.json", R"([
+    {"image_id": "gone", "category_id": 72, "bbox": [7, 10, 10, 10], "score": 0.5}])");
+  CHECK(said("gone.json") == folder.path("gone.ppm") + ": there is no such image");
+}
+
+TEST_CASE("a file of names may end in blank lines but not hold one", "[examples]") {
+  const ScratchFolder folder, labels;
+  write_sequence(folder);
+  labels.write("rgb.txt", "1 0.5 0.5 0.4 0.4\n");
+  const std::string arguments = "nodes --images " + folder.path() + " --boxes " + labels.path() +
+                                " --camera 50,50,31.5,23.5,64,48 --out " + folder.path("set") +
+                                " --names ";
+  const std::string whole = folder.write("whole.txt", "\xEF\xBB\xBFtv\r\nlaptop\r\n\r\n");
+  const ProgramRun run = run_program(arguments + whole);
+  if (run.err.find("was not built") != std::string::npos) return;  // it needs OpenCV
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const auto detections = program::read_node_table(folder.path("set")).frames.at(0).detections;
+  CHECK(topobag::ClassCatalog::coco80().name(detections.at(0).label) == "laptop");
+  const std::string holed = folder.write("holed.txt", "tv\n\nlaptop\n");
+  CHECK(refusal(arguments + holed) ==
+        holed + ":3: a blank or comment line above hides which number this class has");
 }

@@ -19,9 +19,9 @@ TEST_CASE("wrong arguments end the program with one line and exit code 2", "[exa
   CHECK(refusal("") == "A subcommand is required; see topobag --help");
   CHECK(refusal("localise --map x") == "there is no command 'localise'; see topobag --help");
   refusal("fly");
-  CHECK(refusal("nodes") == "--images is required; see topobag --help");
+  CHECK(refusal("nodes") == "--images is required; see topobag nodes --help");
   const std::string nodes = "nodes --images nowhere --model nothing --out nodes ";
-  CHECK(refusal(nodes) == "--camera is required; see topobag --help");
+  CHECK(refusal(nodes) == "--camera is required; see topobag nodes --help");
   CHECK(refusal(nodes + "--camera 500,500,320") ==
         "--camera 500,500,320: there are not 4 or 6 numbers; give fx,fy,cx,cy or "
         "fx,fy,cx,cy,width,height");

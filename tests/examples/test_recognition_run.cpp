@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "catch.hpp"
+#include "error_text.hpp"
 #include "recognition_run.hpp"
 
 using namespace program;
@@ -46,6 +47,27 @@ RecognitionRun sample_run() {
 }
 
 }  // namespace
+
+TEST_CASE("key frames of the map itself are counted among the queries", "[examples]") {
+  RecognitionRun run = sample_run();
+  CHECK(count_in_map(run) == run.queries.size());  // of one time, and all without objects
+  for (std::size_t i = 0; i < run.queries.size(); ++i) run.queries[i].timestamp = double(i);
+  CHECK(count_in_map(run) == 1);
+  run.queries[0].graph = topobag::TopologyGraph<>(std::vector<topobag::SemanticNode<>>(2));
+  CHECK(count_in_map(run) == 0);
+}
+
+TEST_CASE("a run without a query says why", "[examples]") {
+  RecognitionRun run;
+  run.query_set = "set";
+  run.look_ups = {rejected(true, false), rejected(false, false), rejected(false, false)};
+  CHECK(error_text([&] {
+          require_queries(run);
+        }).find("set: none of the 3 key frames could be looked up: 2 have no usable graph, 1 ") ==
+        0);
+  run.look_ups.push_back(rejected(true, true));
+  CHECK_NOTHROW(require_queries(run));
+}
 
 TEST_CASE("accepted matches are scored on three levels", "[examples]") {
   RecognitionRun run = sample_run();

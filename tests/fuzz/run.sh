@@ -13,7 +13,8 @@ targets=("$@")
 [ ${#targets[@]} -gt 0 ] || targets=(saved_bag graph_codec trajectory node_table box_file delaunay match)
 program=examples/topobag
 declare -A sources=([node_table]="$program/node_table.cpp $program/csv_reader.cpp"
-  [box_file]="$program/box_files.cpp $program/csv_reader.cpp" [delaunay]="-lgmp -lmpfr")
+  [box_file]="$program/box_files.cpp $program/coco_file.cpp $program/image_names.cpp
+    $program/json_output.cpp $program/csv_reader.cpp" [delaunay]="-lgmp -lmpfr")
 out=build/fuzz
 [ -d /dev/shm ] && export TMPDIR=/dev/shm # some write their input to files: in memory that takes no time
 mkdir -p "$out"

@@ -40,6 +40,12 @@ TEST_CASE("bad data is refused and changes nothing", "[graph]") {
   CHECK_THROWS_AS(local.add(0.9, {object}, step), InvalidValue);
   CHECK_THROWS_AS(local.add(std::numeric_limits<double>::infinity(), {object}, step), InvalidValue);
   CHECK_THROWS_AS(local.add(1.1, {object}, bad_pose), InvalidValue);
+  Eigen::Isometry3d mirrored = step, scaled = step;
+  mirrored.linear()(2, 2) = -1.0;
+  scaled.linear() *= 2.0;
+  CHECK_THROWS_AS(local.add(1.1, {object}, mirrored), InvalidValue);
+  CHECK_THROWS_AS(local.add(1.1, {object}, scaled), InvalidValue);
+  CHECK_THROWS_AS(local.add(1.3e18, {object}, step), InvalidValue);  // nanoseconds
   CHECK(local.view_count() == 1);
   REQUIRE(local.objects().size() == 1);
   CHECK(local.objects()[0].second.position->isApprox(*object.position));
@@ -76,4 +82,15 @@ TEST_CASE("a covariance without an inverse is refused and swallows no object",
   CHECK(refused_node([&] { local.add(0.0, {flat}, still); }) == 0U);
   local.add(0.1, {object_at(1, {0, 0, 2}), object_at(2, {1, 0, 2})}, still);
   CHECK(local.graph().size() == 2);
+}
+
+TEST_CASE("relative poses that rounding left askew do not add up", "[graph]") {
+  LocalGraphOptions options;
+  options.window = 1000.0;
+  LocalGraph<> local(options);
+  Eigen::Isometry3d askew = Eigen::Isometry3d::Identity();
+  askew.linear() *= 1.0001;
+  for (int i = 0; i < 200; ++i) local.add(i, {object_at(1, {0, 0, 2})}, askew);
+  REQUIRE(local.graph().size() == 1);
+  CHECK(local.graph().nodes()[0].position->isApprox(Eigen::Vector3d(0, 0, 2), 1e-6));
 }

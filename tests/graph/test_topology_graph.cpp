@@ -154,3 +154,10 @@ TEST_CASE("a covariance that is no covariance is refused with the node's index",
   nodes[5].covariance.setZero();  // not modelled
   CHECK(TopologyGraph<>{nodes}.size() == 6);
 }
+
+TEST_CASE("a view's pose that is no rigid motion is refused", "[graph]") {
+  View<> mirrored;
+  mirrored.T_graph_camera.linear()(0, 0) = -1.0;
+  CHECK_THROWS_AS(TopologyGraph<>({}, {}, {mirrored}), InvalidValue);
+  CHECK(TopologyGraph<>({}, {}, {View<>{}}).views().size() == 1);
+}

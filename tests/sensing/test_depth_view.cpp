@@ -4,7 +4,10 @@
 #include <limits>
 #include <vector>
 
+#include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_view.hpp>
+#include <topobag/sensing/lift_detections.hpp>
+#include <topobag/sensing/range_detections.hpp>
 
 #include "catch.hpp"
 
@@ -139,4 +142,23 @@ TEST_CASE("a pixel just inside the border is the last one", "[sensing][regressio
   const double inside = std::nextafter(0.5, 0.0);
   CHECK(view({inside, 0.0}) == 1.0);
   CHECK(view({0.0, inside}) == 1.0);
+}
+
+TEST_CASE("depth of another image than the camera's is refused wherever it is asked for",
+          "[sensing][regression]") {
+  const std::vector<float> half(32 * 24, 2.0F);
+  const DepthView<float> depth(half.data(), 32, 24, 1.0);
+  const PinholeCamera<> twice{50, 50, 32, 24, 64, 48}, same{50, 50, 16, 12, 32, 24},
+      unknown{50, 50, 16, 12};
+  const std::vector<Detection> boxes{{box_around({10, 10}, 8, 8), ClassId{62}, 0.9}};
+  const ClassCatalog catalog = ClassCatalog::coco80();
+  CHECK_THROWS_AS(lift_detections(boxes, depth, twice, catalog), InvalidValue);
+  CHECK_THROWS_AS(range_detections(boxes, depth, twice), InvalidValue);
+  CHECK_THROWS_AS(DepthGrid(depth, 64, 48), InvalidValue);
+  for (const PinholeCamera<>& fits : {same, unknown}) {
+    CHECK(lift_detections(boxes, depth, fits, catalog).nodes.size() == 1);
+    CHECK(range_detections(boxes, depth, fits).at(0).z == 2.0);
+  }
+  const auto of_no_size = [](const Eigen::Vector2d&) { return std::optional<double>(2.0); };
+  CHECK_NOTHROW(lift_detections(boxes, of_no_size, twice, catalog));
 }

@@ -11,6 +11,7 @@
 #include <topobag/adaptors/opencv.hpp>
 #include <topobag/sensing/range_detections.hpp>
 
+#include "camera_option.hpp"
 #include "input_error.hpp"
 #include "progress.hpp"
 
@@ -18,6 +19,7 @@ namespace program {
 namespace {
 
 cv::Mat read_image(const std::string& path, int flags) {
+  if (!std::filesystem::exists(path)) throw InputError(path, "there is no such image");
   cv::Mat image = cv::imread(path, flags);
   if (image.empty()) throw InputError(path, "the file is not an image that OpenCV can read");
   return image;
@@ -40,6 +42,7 @@ void require_size(const cv::Mat& image, const std::string& path, topobag::Pinhol
     camera.width = image.cols;
     camera.height = image.rows;
   }
+  require_principal_point(camera);
   if (image.cols != camera.width || image.rows != camera.height) {
     throw InputError(path, "the image is " + std::to_string(image.cols) + " x " +
                                std::to_string(image.rows) + " px, the camera's " +
@@ -48,44 +51,45 @@ void require_size(const cv::Mat& image, const std::string& path, topobag::Pinhol
   }
 }
 
-/// A box of which the image shows less than a pixel is nothing that a table could keep.
-void drop_outside(std::vector<topobag::RangedDetection>& detections) {
+/// A box of which the image shows less than a pixel is nothing that a table could keep. Returns how
+/// many there were.
+std::size_t drop_outside(std::vector<topobag::RangedDetection>& detections) {
   const auto outside = [](const topobag::RangedDetection& detection) {
     return !(detection.box.width() >= 1.0 && detection.box.height() >= 1.0);
   };
-  detections.erase(std::remove_if(detections.begin(), detections.end(), outside), detections.end());
+  const auto kept = std::remove_if(detections.begin(), detections.end(), outside);
+  const auto count = static_cast<std::size_t>(detections.end() - kept);
+  detections.erase(kept, detections.end());
+  return count;
 }
 
 }  // namespace
 
-NodeTable detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSource& source,
-                       double depth_scale, topobag::PinholeCamera<>& camera) {
+DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSource& source,
+                           double depth_scale, topobag::PinholeCamera<>& camera) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are ours to tell
   std::optional<topobag::YoloDetector> network;
   if (!source.boxes) network.emplace(source.model, source.classes, source.yolo);
-  const auto detect = [&](const RgbdFrame& frame, const cv::Mat& rgb) {
-    if (network) return (*network)(rgb);
-    const auto found = source.boxes->find(std::filesystem::path(frame.rgb).stem().string());
-    return found == source.boxes->end() ? std::vector<topobag::Detection>{} : found->second;
-  };
   Progress progress(frames.size(), "images");
-  NodeTable table;
+  DetectedNodes detected;
   for (const RgbdFrame& frame : frames) {
-    const cv::Mat rgb = read_image(frame.rgb, cv::IMREAD_COLOR);
+    const cv::Mat rgb = read_image(frame.rgb, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     require_size(rgb, frame.rgb, camera);
     const cv::Mat depth = read_depth(frame.depth, rgb.size());
     FrameRow row;
-    row.idx = static_cast<std::int64_t>(table.frames.size());
+    const std::size_t i = detected.table.frames.size();
+    row.idx = static_cast<std::int64_t>(i);
     row.name = std::filesystem::path(frame.rgb).filename().string();
     row.timestamp = frame.timestamp;
     row.T_world_camera = frame.T_world_camera;
-    row.detections = topobag::range_detections(detect(frame, rgb),
-                                               topobag::DepthImage(depth, depth_scale), camera);
-    drop_outside(row.detections);
-    table.frames.push_back(std::move(row));
+    row.detections =
+        topobag::range_detections(network ? (*network)(rgb) : source.boxes->of_image[i],
+                                  topobag::DepthImage(depth, depth_scale), camera);
+    detected.outside += drop_outside(row.detections);
+    detected.table.frames.push_back(std::move(row));
     progress.step();
   }
-  return table;
+  return detected;
 }
 
 }  // namespace program

@@ -6,7 +6,7 @@ namespace {
 
 std::string field(const Json& value) {
   if (value.is_null()) return "";
-  if (!value.is_string()) return value.dump();
+  if (!value.is_string()) return json_text(value);
   const auto& text = value.get_ref<const std::string&>();
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

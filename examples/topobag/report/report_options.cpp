@@ -13,7 +13,7 @@ void add_report_options(CLI::App& command, ReportFiles& files) {
 void write_report(const Report& report, const ReportFiles& files) {
   if (!files.page.empty()) write_file(files.page, html_page(report));
   if (!files.data.empty()) {
-    write_file(files.data, report_json(report).dump(1, ' ', false, Json::error_handler_t::replace));
+    write_file(files.data, json_text(report_json(report), 1));
   }
 }
 

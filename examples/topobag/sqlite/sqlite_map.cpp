@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "sqlite_map.hpp"
 
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
+
 #include <topobag/adaptors/sqlite.hpp>
 
 namespace program {
 namespace {
+
+namespace fs = std::filesystem;
 
 topobag::SqliteOptions sqlite_options(bool read_only) {
   topobag::SqliteOptions options;
@@ -12,6 +19,16 @@ topobag::SqliteOptions sqlite_options(bool read_only) {
   options.catalog = topobag::ClassCatalog::coco80();
   return options;
 }
+
+/// A new map until it takes its name.
+struct UnfinishedFile {
+  std::string path;
+
+  ~UnfinishedFile() {
+    std::error_code ignored;
+    for (const char* part : {"", "-wal", "-shm", "-journal"}) fs::remove(path + part, ignored);
+  }
+};
 
 }  // namespace
 
@@ -26,12 +43,14 @@ SavedMap read_sqlite_map(const std::string& path) {
 }
 
 void extend_sqlite_map(const std::string& path, const std::string& session,
-                       const std::vector<Keyframe>& keyframes) {
-  topobag::SqliteBag<> map(path, sqlite_options(false));
-  const std::uint32_t number = map.begin_session(session);
-  for (const MapEntry& entry : new_entries(map.bag(), number, keyframes)) {
-    map.add(entry.id, *entry.graph, entry.info);
+                       const topobag::BagOfTopologyGraphs<>& entries) {
+  const bool exists = fs::exists(path);
+  const UnfinishedFile unfinished{path + ".part-" + std::to_string(::getpid())};
+  {
+    topobag::SqliteBag<> map(exists ? path : unfinished.path, sqlite_options(false));
+    map.add_session(session, entries);
   }
+  if (!exists) fs::rename(unfinished.path, path);  // closed, it is one file
 }
 
 }  // namespace program

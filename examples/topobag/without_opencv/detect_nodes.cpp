@@ -5,8 +5,8 @@
 
 namespace program {
 
-NodeTable detect_nodes(const std::vector<RgbdFrame>&, const DetectionSource&, double,
-                       topobag::PinholeCamera<>&) {
+DetectedNodes detect_nodes(const std::vector<RgbdFrame>&, const DetectionSource&, double,
+                           topobag::PinholeCamera<>&) {
   throw InputError("'nodes' was not built: it needs OpenCV 4.5 or newer; install it, build again");
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 SavedMap read_sqlite_map(const std::string& path) { refuse(path); }
 
-void extend_sqlite_map(const std::string& path, const std::string&, const std::vector<Keyframe>&) {
+void extend_sqlite_map(const std::string& path, const std::string&,
+                       const topobag::BagOfTopologyGraphs<>&) {
   refuse(path);
 }
 

@@ -16,10 +16,12 @@
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
+#include <topobag/bag/session_number.hpp>
 #include <topobag/error.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ids.hpp>
+#include <topobag/types/utf8.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -83,13 +85,36 @@ class SqliteBag {
   /// Adds a key frame. Throws InvalidId if `id` is there already, InvalidValue as `encode` and the
   /// bag do, Error when the file cannot take it; then nothing has changed. Some milliseconds.
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
-    if (bag_.contains(id)) {
-      throw InvalidId(path() + ": key frame " + std::to_string(value(id)) +
-                      " is in the map already: use update");
+    require_new(id);
+    Row row = row_of(id, graph, info);
+    change([&] { put(detail::sqlite_insert, row); });
+    bag_.add(id, std::move(row.graph), std::move(row.entry.info));
+  }
+
+  /// Adds a new run of the robot and all of its key frames: all are there afterwards, or nothing
+  /// has changed. Returns the number of the run, which becomes that of its key frames.
+  /// @param run  anything with `for_each(f)` that calls f(KeyframeId, const EntryInfo&, const
+  ///             Graph&): a bag
+  /// Throws as `begin_session` and `add`.
+  template <typename Run>
+  std::uint32_t add_session(const std::string& name, const Run& run) {
+    std::vector<Row> rows;
+    run.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
+      require_new(id);
+      rows.push_back(row_of(id, graph, info));
+    });
+    std::uint32_t session = 0;
+    change([&] {
+      session = note_session(name);
+      for (Row& row : rows) {
+        row.entry.info.session = session;
+        put(detail::sqlite_insert, row);
+      }
+    });
+    for (Row& row : rows) {
+      bag_.add(row.entry.id, std::move(row.graph), std::move(row.entry.info));
     }
-    write(
-        detail::sqlite_insert, {id, info, encode(graph, options_.views)},
-        [&](Graph kept, EntryInfo rounded) { bag_.add(id, std::move(kept), std::move(rounded)); });
+    return session;
   }
 
   /// Replaces a key frame's graph and info, as SLAM moves poses and fuses nodes. As `add`.
@@ -98,10 +123,9 @@ class SqliteBag {
       throw InvalidId(path() + ": key frame " + std::to_string(value(id)) +
                       " is not in the map: use add");
     }
-    write(detail::sqlite_update, {id, info, encode(graph, options_.views)},
-          [&](Graph kept, EntryInfo rounded) {
-            bag_.update(id, std::move(kept), std::move(rounded));
-          });
+    Row row = row_of(id, graph, info);
+    change([&] { put(detail::sqlite_update, row); });
+    bag_.update(id, std::move(row.graph), std::move(row.entry.info));
   }
 
   /// Takes a key frame out; false if it was not there.
@@ -115,18 +139,12 @@ class SqliteBag {
     return bag_.erase(id);
   }
 
-  /// Notes a new run of the robot, numbered on from the last one, from 0.
+  /// Notes a new run of the robot, numbered on from the last one, from 0. Throws InvalidValue for a
+  /// name that is not UTF-8, InvalidId when the numbers are used up.
   std::uint32_t begin_session(const std::string& name) {
-    std::int64_t id = 0;
-    change([&] {
-      id = detail::sqlite_number(connection_,
-                                 "SELECT 1 + max(coalesce((SELECT max(id) FROM session), -1),"
-                                 " coalesce((SELECT max(session) FROM keyframe), -1))");
-      detail::SqliteStatement(connection_, "INSERT INTO session(id, name) VALUES(?, ?)")
-          .bind(id, name)
-          .step();
-    });
-    return static_cast<std::uint32_t>(id);
+    std::uint32_t session = 0;
+    change([&] { session = note_session(name); });
+    return session;
   }
 
   /// By rising id.
@@ -152,17 +170,42 @@ class SqliteBag {
     transaction.commit();
   }
 
-  /// Writes a row; once it is safe, gives the bag what would be read from it.
-  template <typename Keep>
-  void write(const char* sql, detail::EntryRecord entry, const Keep& keep) {
-    entry.info.validate();
-    Graph graph = decode<typename Graph::Scalar>(entry.graph);
-    change([&] {
-      detail::SqliteStatement& statement = prepared(sql);
-      detail::write_row(statement, entry, graph, options_.catalog);
-    });
-    if (auto& T = entry.info.T_world_camera) T = detail::pose_of(detail::pose_columns(T));
-    keep(std::move(graph), std::move(entry.info));
+  /// What is written of a key frame, and its graph as it will be read.
+  struct Row {
+    detail::EntryRecord entry;
+    Graph graph;
+  };
+
+  Row row_of(KeyframeId id, const Graph& graph, const EntryInfo& info) const {
+    info.validate();
+    Row row{{id, info, encode(graph, options_.views)}, {}};
+    row.graph = decode<typename Graph::Scalar>(row.entry.graph);
+    if (auto& T = row.entry.info.T_world_camera) T = detail::pose_of(detail::pose_columns(T));
+    return row;
+  }
+
+  void put(const char* sql, const Row& row) {
+    detail::write_row(prepared(sql), row.entry, row.graph, options_.catalog);
+  }
+
+  std::uint32_t note_session(const std::string& name) {
+    require_utf8(name, "the session's name");
+    const std::int64_t last =
+        detail::sqlite_number(connection_,
+                              "SELECT max(coalesce((SELECT max(id) FROM session), -1),"
+                              " coalesce((SELECT max(session) FROM keyframe), -1))");
+    const std::uint32_t session =
+        last < 0 ? 0 : next_session(detail::sqlite_session(static_cast<double>(last)));
+    detail::SqliteStatement(connection_, "INSERT INTO session(id, name) VALUES(?, ?)")
+        .bind(std::int64_t{session}, name)
+        .step();
+    return session;
+  }
+
+  void require_new(KeyframeId id) const {
+    if (!bag_.contains(id)) return;
+    throw InvalidId(path() + ": key frame " + std::to_string(value(id)) +
+                    " is in the map already: use update");
   }
 
   /// The two statements that a mapping run repeats are prepared once.

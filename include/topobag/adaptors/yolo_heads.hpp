@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <topobag/error.hpp>
@@ -47,14 +48,45 @@ inline void require_shape(const NetworkOutput& output, std::size_t rows, std::si
                      (any_columns ? "any number" : std::to_string(columns)));
 }
 
-/// Appends a detection unless its score is too low or its box empty; NaN is both.
-inline void append_detection(const Eigen::Vector2d& center, double width, double height,
-                             ClassId label, double confidence, double min_confidence,
-                             std::vector<Detection>& detections) {
-  if (!(confidence >= min_confidence)) return;
-  const BoundingBox box = box_around(center, width, height);
-  if (box.is_valid()) detections.push_back({box, label, std::min(confidence, 1.0)});
-}
+/// Collects what a head writes down, row by row, and sees that it is in the head's units.
+class HeadDetections {
+ public:
+  explicit HeadDetections(double min_confidence) : min_confidence_(min_confidence) {}
+
+  /// Left out when its score is too low or its box empty; NaN is both. Throws InvalidValue for
+  /// factors of a score that are no probabilities.
+  void add(const Eigen::Vector2d& center, double width, double height, ClassId label,
+           double objectness, double score) {
+    for (const double factor : {objectness, score}) {
+      if (!(factor < -rounding || factor > 1.0 + rounding)) continue;
+      throw InvalidValue("the network's score " + std::to_string(factor) +
+                         " is no probability: this is another head, or one that was exported "
+                         "without its sigmoid");
+    }
+    const BoundingBox box = box_around(center, width, height);
+    if (box.is_valid()) furthest_ = std::max({furthest_, center.maxCoeff(), width, height});
+    const double confidence = objectness * score;
+    if (!box.is_valid() || !(confidence >= min_confidence_)) return;
+    detections_.push_back({box, label, std::clamp(confidence, 0.0, 1.0)});
+  }
+
+  /// All of them. Throws InvalidValue where no box of the head reaches beyond the first pixel.
+  std::vector<Detection> take() {
+    if (!detections_.empty() && furthest_ <= 1.0 + rounding) {
+      throw InvalidValue(
+          "the network's boxes are shares of its input, not px: export it without normalised "
+          "boxes");
+    }
+    return std::move(detections_);
+  }
+
+ private:
+  static constexpr double rounding = 1e-3;  // of half precision
+
+  double min_confidence_;
+  double furthest_ = 0.0;  ///< px; largest centre, width or height
+  std::vector<Detection> detections_;
+};
 
 }  // namespace detail
 
@@ -62,7 +94,8 @@ inline void append_detection(const Eigen::Vector2d& center, double width, double
 /// upper-left corner.
 /// @param classes     the class behind each score
 /// @param input_size  side of the network's square input, px
-/// Throws InvalidValue when the output's shape does not go with classes and input size.
+/// Throws InvalidValue when the output's shape does not go with classes and input size, when a
+/// score is no probability, and when the boxes are shares of the input.
 inline std::vector<Detection> decode_yolox(const NetworkOutput& output,
                                            const std::vector<ClassId>& classes, int input_size,
                                            double min_confidence) {
@@ -73,7 +106,7 @@ inline std::vector<Detection> decode_yolox(const NetworkOutput& output,
   detail::require_shape(output, cells, 5 + classes.size(),
                         "YOLOX network for images of side " + std::to_string(input_size) + " and " +
                             std::to_string(classes.size()) + " classes");
-  std::vector<Detection> detections;
+  detail::HeadDetections detections(min_confidence);
   const float* row = output.data;
   for (const std::size_t stride : strides) {
     const std::size_t side = input_side / stride;
@@ -83,14 +116,14 @@ inline std::vector<Detection> decode_yolox(const NetworkOutput& output,
       const float* const best = std::max_element(scores, scores + classes.size());
       const Eigen::Vector2d grid(static_cast<double>(cell % side),
                                  static_cast<double>(cell / side));
-      detail::append_detection(
-          (Eigen::Vector2d(row[0], row[1]) + grid) * s, std::exp(static_cast<double>(row[2])) * s,
-          std::exp(static_cast<double>(row[3])) * s,
-          classes[static_cast<std::size_t>(best - scores)],
-          static_cast<double>(row[4]) * static_cast<double>(*best), min_confidence, detections);
+      detections.add((Eigen::Vector2d(row[0], row[1]) + grid) * s,
+                     std::exp(static_cast<double>(row[2])) * s,
+                     std::exp(static_cast<double>(row[3])) * s,
+                     classes[static_cast<std::size_t>(best - scores)], static_cast<double>(row[4]),
+                     static_cast<double>(*best));
     }
   }
-  return detections;
+  return detections.take();
 }
 
 /// The same for `YoloHead::yolov5`.
@@ -99,17 +132,16 @@ inline std::vector<Detection> decode_yolov5(const NetworkOutput& output,
                                             double min_confidence) {
   detail::require_shape(output, 0, 5 + classes.size(),
                         "YOLOv5 network of " + std::to_string(classes.size()) + " classes");
-  std::vector<Detection> detections;
+  detail::HeadDetections detections(min_confidence);
   for (std::size_t i = 0; i < output.rows; ++i) {
     const float* const row = output.data + i * output.columns;
     const float* const scores = row + 5;
     const float* const best = std::max_element(scores, scores + classes.size());
-    detail::append_detection(
-        {row[0], row[1]}, static_cast<double>(row[2]), static_cast<double>(row[3]),
-        classes[static_cast<std::size_t>(best - scores)],
-        static_cast<double>(row[4]) * static_cast<double>(*best), min_confidence, detections);
+    detections.add({row[0], row[1]}, static_cast<double>(row[2]), static_cast<double>(row[3]),
+                   classes[static_cast<std::size_t>(best - scores)], static_cast<double>(row[4]),
+                   static_cast<double>(*best));
   }
-  return detections;
+  return detections.take();
 }
 
 /// The same for `YoloHead::yolov8`.
@@ -121,16 +153,16 @@ inline std::vector<Detection> decode_yolov8(const NetworkOutput& output,
   const auto at = [&](std::size_t row, std::size_t box) {
     return static_cast<double>(output.data[row * output.columns + box]);
   };
-  std::vector<Detection> detections;
+  detail::HeadDetections detections(min_confidence);
   for (std::size_t box = 0; box < output.columns; ++box) {
     std::size_t best = 0;
     for (std::size_t c = 1; c < classes.size(); ++c) {
       if (at(4 + c, box) > at(4 + best, box)) best = c;
     }
-    detail::append_detection({at(0, box), at(1, box)}, at(2, box), at(3, box), classes[best],
-                             at(4 + best, box), min_confidence, detections);
+    detections.add({at(0, box), at(1, box)}, at(2, box), at(3, box), classes[best], 1.0,
+                   at(4 + best, box));
   }
-  return detections;
+  return detections.take();
 }
 
 }  // namespace v0

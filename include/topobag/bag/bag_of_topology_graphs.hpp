@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -16,6 +17,7 @@
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/place_count.hpp>
 #include <topobag/bag/query.hpp>
+#include <topobag/bag/savable_graph.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/similarity/class_pair_distance_histogram.hpp>
@@ -45,14 +47,14 @@ class BagOfTopologyGraphs {
   explicit BagOfTopologyGraphs(Similarity similarity = {}) : similarity_(std::move(similarity)) {}
 
   /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
-  /// for an entry that is not finite. O(log n + descriptor).
+  /// as `EntryInfo::validate` and, of a `TopologyGraph`, `require_savable`. O(log n + descriptor).
   void add(KeyframeId id, Graph graph, EntryInfo info = {}) {
     if (contains(id)) {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
-    Entry entry = make_entry(std::move(graph), std::move(info));
-    place(id, entries_.emplace(id, std::move(entry)).first->second);
+    auto entry = make_entry(std::move(graph), std::move(info));
+    place(id, *entries_.emplace(id, std::move(entry)).first->second);
   }
 
   /// Replaces a key frame's graph and info. Throws InvalidId if `id` is not there.
@@ -61,17 +63,17 @@ class BagOfTopologyGraphs {
     if (it == entries_.end()) {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
-    Entry entry = make_entry(std::move(graph), std::move(info));
-    displace(id, it->second);
+    auto entry = make_entry(std::move(graph), std::move(info));
+    displace(id, *it->second);
     it->second = std::move(entry);
-    place(id, it->second);
+    place(id, *it->second);
   }
 
   /// Takes a key frame out; false if it was not there.
   bool erase(KeyframeId id) {
     const auto it = entries_.find(id);
     if (it == entries_.end()) return false;
-    displace(id, it->second);
+    displace(id, *it->second);
     entries_.erase(it);
     return true;
   }
@@ -92,25 +94,28 @@ class BagOfTopologyGraphs {
   std::optional<Graph> find(KeyframeId id) const {
     const auto it = entries_.find(id);
     if (it == entries_.end()) return std::nullopt;
-    return it->second.graph;
+    return it->second->graph;
   }
   /// The same where it is, or null; until the entry is changed or taken out.
   const Graph* peek(KeyframeId id) const {
     const auto it = entries_.find(id);
-    return it == entries_.end() ? nullptr : &it->second.graph;
+    return it == entries_.end() ? nullptr : &it->second->graph;
   }
 
   /// What is known of the key frame beside its graph, or nothing.
   std::optional<EntryInfo> info(KeyframeId id) const {
     const auto it = entries_.find(id);
     if (it == entries_.end()) return std::nullopt;
-    return it->second.info;
+    return it->second->info;
   }
 
-  /// Calls f(KeyframeId, const EntryInfo&, const Graph&) for every entry, by rising id.
+  /// Calls f(KeyframeId, const EntryInfo&, const Graph&) for every entry that is there when the
+  /// call begins, by rising id; f may change the bag. O(n).
   template <typename F>
   void for_each(F&& f) const {
-    for (const auto& [id, entry] : entries_) f(id, entry.info, entry.graph);
+    const std::vector<std::pair<KeyframeId, std::shared_ptr<Entry>>> now(entries_.begin(),
+                                                                         entries_.end());
+    for (const auto& [id, entry] : now) f(id, entry->info, entry->graph);
   }
 
   /// The key frames whose cameras stand in the region, by rising id; without a pose they are
@@ -124,7 +129,7 @@ class BagOfTopologyGraphs {
     if constexpr (indexed) {
       const bool restricts = options.restricts();
       return index_.query(key, options, [&](KeyframeId id) {
-        return !restricts || options.admits(id, entries_.find(id)->second.info);
+        return !restricts || options.admits(id, entries_.find(id)->second->info);
       });
     } else {
       return compare_all(key, options);
@@ -142,8 +147,8 @@ class BagOfTopologyGraphs {
   std::vector<Candidate> compare_all(const Key& key, const QueryOptions& options) const {
     std::vector<Candidate> found;
     for (const auto& [id, entry] : entries_) {
-      if (!options.admits(id, entry.info)) continue;
-      const double score = score_of(key, entry);
+      if (!options.admits(id, entry->info)) continue;
+      const double score = score_of(key, *entry);
       if (score >= options.min_score) found.push_back({id, score});
     }
     const std::size_t kept = std::min(options.max_results, found.size());
@@ -181,10 +186,11 @@ class BagOfTopologyGraphs {
     typename KeyOf<Similarity>::type key;
   };
 
-  Entry make_entry(Graph graph, EntryInfo info) const {
+  std::shared_ptr<Entry> make_entry(Graph graph, EntryInfo info) const {
     info.validate();
-    Entry entry{std::move(graph), std::move(info), {}};
-    if constexpr (precomputed && !indexed) entry.key = similarity_.descriptor(entry.graph);
+    if constexpr (detail::is_topology_graph_v<Graph>) require_savable(graph);
+    auto entry = std::make_shared<Entry>(Entry{std::move(graph), std::move(info), {}});
+    if constexpr (precomputed && !indexed) entry->key = similarity_.descriptor(entry->graph);
     return entry;
   }
 
@@ -210,7 +216,7 @@ class BagOfTopologyGraphs {
   }
 
   Similarity similarity_;
-  std::map<KeyframeId, Entry> entries_;
+  std::map<KeyframeId, std::shared_ptr<Entry>> entries_;  ///< for_each's stay while it walks
   PlaceCount places_;
   detail::CameraGrid cameras_;
   std::conditional_t<indexed, detail::HistogramIndex, Nothing> index_;

@@ -73,8 +73,8 @@ class BasicBagView {
     return detail::BagSearch<Similarity>(parts_, *similarity_, graph, options, max_visited).run();
   }
 
-  /// Calls `visit(KeyframeId, const EntryInfo&, const Graph&)` for every entry by rising id.
-  /// O(n log n).
+  /// Calls `visit(KeyframeId, const EntryInfo&, const Graph&)` for every entry by rising id;
+  /// what becomes of the bag meanwhile changes nothing. O(n log n).
   template <typename Visit>
   void for_each(const Visit& visit) const {
     std::vector<std::pair<KeyframeId, detail::EntryPlace>> places;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include <Eigen/Geometry>
 
-#include <topobag/error.hpp>
+#include <topobag/types/rigid_motion.hpp>
+#include <topobag/types/stamp.hpp>
+#include <topobag/types/utf8.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -20,12 +21,12 @@ struct EntryInfo {
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< pose of the camera in the map
   std::string label;                                ///< the user's own: a map, a floor, a robot
 
-  /// Throws InvalidValue for a number that is not finite.
+  /// Throws InvalidValue for a stamp that is no time in seconds, a pose that is no rigid motion and
+  /// a label that is not UTF-8.
   void validate() const {
-    if (stamp && !std::isfinite(*stamp)) throw InvalidValue("the entry's stamp is not finite");
-    if (T_world_camera && !T_world_camera->matrix().allFinite()) {
-      throw InvalidValue("the entry's pose is not finite");
-    }
+    if (stamp) require_seconds(*stamp);
+    if (T_world_camera) require_rigid(*T_world_camera, "the entry's pose");
+    require_utf8(label, "the entry's label");
   }
 };
 

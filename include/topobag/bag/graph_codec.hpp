@@ -15,6 +15,7 @@
 #include <topobag/bag/detail/gravity_code.hpp>
 #include <topobag/bag/detail/node_columns.hpp>
 #include <topobag/bag/detail/view_columns.hpp>
+#include <topobag/bag/savable_graph.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 
@@ -31,10 +32,6 @@ unsigned codec_version_for(const TopologyGraph<Scalar>& graph) noexcept {
   return graph.gravity() ? 2 : 1;
 }
 
-/// Whether the cameras that looked for the nodes come along: they carry the negative evidence, and
-/// most of the bytes.
-enum class ViewSection { kept, left_out };
-
 /// A graph in few bytes: some 180 for 12 objects, the views not counted. The same bytes on every
 /// machine; for memory, file, data base and radio alike.
 ///
@@ -47,12 +44,11 @@ enum class ViewSection { kept, left_out };
 /// Saturated: pixels and boxes at ±2^20 px, negative sizes at 0, confidence to [0, 1], existence to
 /// [1/127, 1], standard deviations to [1 mm, 64 m], gravity's to [0.24 mrad, 14.7 rad].
 ///
-/// `encode(decode(encode(graph)))` gives the same bytes. Throws InvalidValue with the index of a
-/// node or view that is more than 2^20 m away, or of a view that is not finite; and for more than
-/// 4096 nodes. O(n² + m).
+/// `encode(decode(encode(graph)))` gives the same bytes. Throws as `require_savable`. O(n² + m).
 template <typename Scalar>
 std::vector<std::uint8_t> encode(const TopologyGraph<Scalar>& graph,
                                  ViewSection views = ViewSection::kept) {
+  require_savable(graph, views);
   const bool with_views = views == ViewSection::kept && !graph.views().empty();
   detail::BitWriter writer;
   detail::GraphHeader header;

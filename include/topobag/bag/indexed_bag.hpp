@@ -16,6 +16,7 @@
 #include <topobag/bag/detail/part_builder.hpp>
 #include <topobag/bag/merge_options.hpp>
 #include <topobag/bag/place_count.hpp>
+#include <topobag/bag/session_number.hpp>
 #include <topobag/error.hpp>
 
 namespace topobag {
@@ -67,7 +68,7 @@ class BasicIndexedBag {
   }
 
   /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
-  /// for an entry that is not finite or as `encode` does. O(n² + log n) for n nodes, amortised.
+  /// as `EntryInfo::validate` and `require_savable`. O(n² + log n) for n nodes, amortised.
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
     if (contains(id)) {
       throw InvalidId("key frame " + std::to_string(value(id)) +
@@ -115,9 +116,11 @@ class BasicIndexedBag {
 
   /// Adds all entries of another bag. Ids that are free are kept; the others become the numbers
   /// after the greatest of both bags, in their order. Views come along where this bag keeps them.
-  /// Returns where each id went. Throws InvalidValue when the ids run out or a pose becomes
-  /// infinite. O(n log n).
+  /// Returns where each id went. Throws InvalidValue when the ids run out, when `T_world_other` is
+  /// no rigid motion or a pose becomes infinite, and InvalidId when the sessions run out. O(n log
+  /// n).
   std::map<KeyframeId, KeyframeId> merge(const View& other, const MergeOptions& options = {}) {
+    if (options.T_world_other) require_rigid(*options.T_world_other, "T_world_other");
     const detail::BagParts& theirs = other.parts_;
     std::map<KeyframeId, KeyframeId> new_ids = detail::free_ids(parts(), theirs);
     detail::BagParts next = sealed(parts());
@@ -125,7 +128,7 @@ class BasicIndexedBag {
     theirs.for_each([&](detail::EntryPlace place) {
       const detail::StoredEntry entry = theirs.entry(place);
       EntryInfo info = theirs.info(place);
-      info.session += options.session_offset;
+      info.session = session_after(info.session, options.session_offset);
       if (options.T_world_other && info.T_world_camera) {
         info.T_world_camera = *options.T_world_other * *info.T_world_camera;
       }
@@ -181,9 +184,8 @@ class BasicIndexedBag {
   /// Counts the places of `parts` anew. O(n log places).
   void recount(const detail::BagParts& parts) {
     places_.clear();
-    parts.for_each([&](detail::EntryPlace place) {
-      places_.add(parts.entry(place).id, parts.info(place));
-    });
+    parts.for_each(
+        [&](detail::EntryPlace place) { places_.add(parts.entry(place).id, parts.info(place)); });
   }
 
   void publish(detail::BagParts parts) {

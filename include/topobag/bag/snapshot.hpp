@@ -43,6 +43,17 @@ inline void write_record(std::ostream& stream, const std::vector<std::uint8_t>& 
   write_bytes(stream, record);
 }
 
+/// `encode`, whose refusal names the key frame: in the middle of a bag an index alone says little.
+template <typename Graph>
+std::vector<std::uint8_t> encoded(KeyframeId id, const Graph& graph, ViewSection views) {
+  try {
+    return encode(graph, views);
+  } catch (const InvalidValue& error) {
+    throw InvalidValue("key frame " + std::to_string(value(id)) + ": " + error.what(),
+                       error.index());
+  }
+}
+
 inline std::vector<std::uint8_t> read_record(std::istream& stream) {
   const std::vector<std::uint8_t> length = read_bytes(stream, 4);
   std::vector<std::uint8_t> body = read_bytes(stream, BitReader(length.data(), 4).get(32));
@@ -80,7 +91,8 @@ void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {})
   detail::write_bytes(stream, to_bytes(header));
   std::uint64_t written = 0;
   bag.for_each([&](KeyframeId id, const EntryInfo& info, const typename Bag::Graph& graph) {
-    detail::write_record(stream, detail::to_bytes({id, info, encode(graph, options.views)}));
+    detail::write_record(stream,
+                         detail::to_bytes({id, info, detail::encoded(id, graph, options.views)}));
     ++written;
   });
   TOPOBAG_ASSERT(written == header.entries);

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include <topobag/bag/detail/atomic_file.hpp>
+#include <topobag/bag/atomic_file.hpp>
 #include <topobag/bag/snapshot.hpp>
 #include <topobag/bag/snapshot_header.hpp>
 #include <topobag/error.hpp>
@@ -39,10 +39,11 @@ auto read_file(const std::string& path, const Read& read) {
 /// `save` into a file: complete and on the disk under its name when this returns (written beside
 /// it, synced, renamed), or, after an Error that gives the system's reason, as it was before. A
 /// process killed on the way leaves the old file and one beside it whose name has ".part-" in it.
-/// Devices, pipes and folders are refused.
+/// Devices, pipes and folders are refused. Who loads, adds and saves holds a `WriterLock`
+/// meanwhile.
 template <typename Bag>
 void save(const Bag& bag, const std::string& path, const SaveOptions& options = {}) {
-  detail::AtomicFile file(path);
+  AtomicFile file(path);
   std::ostream stream(file.buffer());
   try {
     save(bag, stream, options);

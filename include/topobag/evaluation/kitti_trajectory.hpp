@@ -17,15 +17,15 @@ inline namespace v0 {
 /// @param stream  a `std::istream`
 template <typename Stream>
 Trajectory read_kitti(Stream& stream, const std::string& name) {
-  detail::TextLines lines(stream, name);
+  TextLines lines(stream, name);
   Trajectory trajectory;
   std::string_view line;
   std::vector<double> numbers;
   while (lines.next(line)) {
-    lines.numbers(line, ' ', numbers);
+    lines.numbers(line, numbers);
     if (numbers.size() != 12) {
-      lines.fail("a KITTI trajectory has 12 numbers a line, a 3×4 matrix; here are " +
-                 std::to_string(numbers.size()) + ".");
+      throw lines.error("a KITTI trajectory has 12 numbers a line, a 3×4 matrix; here are " +
+                        std::to_string(numbers.size()) + ".");
     }
     trajectory.push_back(
         {static_cast<double>(trajectory.size()), detail::pose_from_matrix(lines, numbers.data())});
@@ -37,7 +37,7 @@ Trajectory read_kitti(Stream& stream, const std::string& name) {
 /// @param path  a `std::string`, or what else converts to one
 template <typename Path = std::string>
 Trajectory read_kitti(const Path& path) {
-  std::ifstream file = detail::open_file(path);
+  std::ifstream file = open_file(path);
   return read_kitti(file, path);
 }
 
@@ -46,18 +46,15 @@ Trajectory read_kitti(const Path& path) {
 /// @param stream  a `std::istream`
 template <typename Stream>
 void read_kitti_times(Stream& stream, const std::string& name, Trajectory& trajectory) {
-  detail::TextLines lines(stream, name);
+  TextLines lines(stream, name);
   std::vector<double> stamps;
   std::string_view line;
   std::vector<double> numbers;
   while (lines.next(line)) {
-    lines.numbers(line, ' ', numbers);
-    if (numbers.size() != 1) lines.fail("a line has one number, the time in seconds.");
-    detail::require_finite(lines, numbers.data(), 1);
-    if (!stamps.empty() && !(numbers[0] > stamps.back())) {
-      lines.fail("the time stamp is not later than the one before.");
-    }
-    stamps.push_back(numbers[0]);
+    lines.numbers(line, numbers);
+    if (numbers.size() != 1) throw lines.error("a line has one number, the time in seconds.");
+    const bool first = stamps.empty();
+    stamps.push_back(detail::later_stamp(lines, numbers, first, first ? 0.0 : stamps.back()));
   }
   if (stamps.size() != trajectory.size()) {
     throw Error(name + " has " + std::to_string(stamps.size()) + " times for " +

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <topobag/error.hpp>
-#include <topobag/evaluation/detail/text_lines.hpp>
 #include <topobag/evaluation/labelled_scores.hpp>
+#include <topobag/evaluation/text_lines.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -149,7 +149,7 @@ ScoreMatrix read_npy(Stream& stream, const std::string& name) {
 /// @param path  a `std::string`, or what else converts to one
 template <typename Path = std::string>
 ScoreMatrix read_npy(const Path& path) {
-  std::ifstream file = detail::open_file(path);
+  std::ifstream file = open_file(path);
   return read_npy(file, path);
 }
 

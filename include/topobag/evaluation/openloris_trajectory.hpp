@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <charconv>
 #include <istream>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <topobag/evaluation/detail/pose_text.hpp>
@@ -29,57 +31,69 @@ enum class RepeatedPoses {
   keep,
 };
 
-/// Reads an OpenLORIS-Scene result or ground-truth file: `key: value` headers (of which `scene`,
-/// `frame` and `seq` are used; the first `scene` and `frame` count), then per pose `stamp tx ty tz
-/// qx qy qz qw` or `stamp another-stamp tx …`. Stamps may come in any order in this format and are
-/// sorted. Throws Error with `name` and the line for anything else, for a sequence that starts
-/// twice and for two poses of one sequence at the same time.
+/// Where the colon behind the key of a `key: value` line is, a key being what begins with a letter;
+/// npos for a line without one.
+/// @param line  a `std::string_view` that is not empty
+template <typename Text = std::string_view>
+std::size_t openloris_header_end(const Text& line) noexcept {
+  const char c = line.front();
+  const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return letter ? line.find(':') : std::string_view::npos;
+}
+
+/// Reads an OpenLORIS-Scene result or ground-truth file: `key: value` headers, whose keys begin
+/// with a letter (of which `scene`, `frame` and `seq` are used; the first `scene` and `frame`
+/// count), then per pose `stamp tx ty tz qx qy qz qw` or `stamp another-stamp tx …`. Stamps may
+/// come in any order in this format and are sorted. Throws Error with `name` and the line for
+/// anything else, for a sequence that starts twice and for two poses of one sequence at the same
+/// time.
 /// @param stream  a `std::istream`
 template <typename Stream>
 LifelongTrajectories read_openloris(Stream& stream, const std::string& name,
                                     RepeatedPoses repeated = RepeatedPoses::drop) {
-  detail::TextLines lines(stream, name);
+  TextLines lines(stream, name);
   LifelongTrajectories file;
   Trajectory* sequence = nullptr;
   std::vector<double> last_pose;
   std::string_view line;
   std::vector<double> numbers;
   while (lines.next(line)) {
-    if (const std::size_t colon = line.find(':'); colon != std::string_view::npos) {
-      const std::string_view key = detail::trimmed(line.substr(0, colon));
-      const std::string_view value = detail::trimmed(line.substr(colon + 1));
+    if (const std::size_t colon = openloris_header_end(line); colon != std::string_view::npos) {
+      const std::string_view key = trimmed(line.substr(0, colon));
+      const std::string_view value = trimmed(line.substr(colon + 1));
       if (key == "scene" && file.scene.empty()) file.scene = value;
       if (key == "frame" && file.frame.empty()) file.frame = value;
       if (key != "seq") continue;
       int number = 0;
       const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), number);
       if (status != std::errc{} || end != value.data() + value.size()) {
-        lines.fail("'" + std::string(value) + "' is not a sequence number.");
+        throw lines.error("'" + std::string(value) + "' is not a sequence number.");
       }
       const auto [place, is_new] = file.sequences.try_emplace(number);
-      if (!is_new) lines.fail("sequence " + std::to_string(number) + " starts a second time.");
+      if (!is_new)
+        throw lines.error("sequence " + std::to_string(number) + " starts a second time.");
       sequence = &place->second;
       continue;
     }
-    lines.numbers(line, ' ', numbers);
+    lines.numbers(line, numbers);
     if (numbers.size() != 8 && numbers.size() != 9) {
-      lines.fail(
+      throw lines.error(
           "a pose has 8 or 9 numbers, of which the last 7 are tx ty tz qx qy qz qw; here are " +
           std::to_string(numbers.size()) + ".");
     }
-    if (sequence == nullptr) lines.fail("a pose comes before the first 'seq:' header.");
-    detail::require_finite(lines, numbers.data(), 1);
+    if (sequence == nullptr) throw lines.error("a pose comes before the first 'seq:' header.");
+    const double stamp = detail::stamp_of(lines, numbers);
     const Eigen::Isometry3d pose = detail::pose_from_quaternion(lines, &numbers.back() - 6);
     const std::vector<double> values(numbers.end() - 7, numbers.end());
     if (repeated == RepeatedPoses::drop && values == last_pose) continue;
     last_pose = values;
     const auto place = std::upper_bound(
-        sequence->begin(), sequence->end(), numbers[0],
+        sequence->begin(), sequence->end(), stamp,
         [](double stamp_s, const StampedPose& other) { return stamp_s < other.stamp_s; });
-    if (place != sequence->begin() && (place - 1)->stamp_s == numbers[0]) {
-      lines.fail("the sequence already has a pose at this time.");
+    if (place != sequence->begin() && (place - 1)->stamp_s == stamp) {
+      throw lines.error("the sequence already has a pose at this time.");
     }
-    sequence->insert(place, {numbers[0], pose});
+    sequence->insert(place, {stamp, pose});
   }
   return file;
 }
@@ -89,7 +103,7 @@ LifelongTrajectories read_openloris(Stream& stream, const std::string& name,
 template <typename Path = std::string>
 LifelongTrajectories read_openloris(const Path& path,
                                     RepeatedPoses repeated = RepeatedPoses::drop) {
-  std::ifstream file = detail::open_file(path);
+  std::ifstream file = open_file(path);
   return read_openloris(file, path, repeated);
 }
 

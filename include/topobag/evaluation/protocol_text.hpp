@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include <topobag/error.hpp>
-#include <topobag/evaluation/detail/text_lines.hpp>
+#include <topobag/evaluation/number_text.hpp>
 #include <topobag/evaluation/place_protocol.hpp>
 
 namespace topobag {
@@ -104,8 +104,7 @@ inline PlaceProtocol parse_protocol(std::string_view text) {
     if (more) text.remove_prefix(comma + 1);
     const std::size_t equals = std::min(item.find('='), item.size());
     const std::string_view value = item.substr(std::min(equals + 1, item.size()));
-    detail::set_protocol_key(protocol, detail::trimmed(item.substr(0, equals)),
-                             detail::trimmed(value));
+    detail::set_protocol_key(protocol, trimmed(item.substr(0, equals)), trimmed(value));
   }
   protocol.validate();
   return protocol;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -30,11 +31,11 @@ ScoreMatrix read_score_rows(Lines& lines, std::string_view line) {
   std::size_t columns = 0;
   Eigen::Index rows = 0;
   do {
-    lines.numbers(line, ',', row);
+    lines.numbers(line, row);
     if (columns == 0) columns = row.size();
     if (row.size() != columns) {
-      lines.fail("this row has " + std::to_string(row.size()) + " scores, the first " +
-                 std::to_string(columns) + ".");
+      throw lines.error("this row has " + std::to_string(row.size()) + " scores, the first " +
+                        std::to_string(columns) + ".");
     }
     all.insert(all.end(), row.begin(), row.end());
     ++rows;
@@ -46,7 +47,7 @@ template <typename Lines>
 std::uint32_t index_of(const Lines& lines, double value) {
   if (!(value >= 0.0 && value <= 4294967295.0) ||
       value != static_cast<double>(static_cast<std::uint32_t>(value))) {
-    lines.fail("query and candidate are row numbers of the poses, from 0.");
+    throw lines.error("query and candidate are row numbers of the poses, from 0.");
   }
   return static_cast<std::uint32_t>(value);
 }
@@ -58,10 +59,10 @@ ScoreList read_score_pairs(Lines& lines, bool with_poses) {
   std::string_view line;
   const std::size_t columns = with_poses ? 10 : 3;
   while (lines.next(line)) {
-    lines.numbers(line, ',', row);
+    lines.numbers(line, row);
     if (row.size() != columns) {
-      lines.fail("this line has " + std::to_string(row.size()) + " numbers, the header " +
-                 std::to_string(columns) + ".");
+      throw lines.error("this line has " + std::to_string(row.size()) + " numbers, the header " +
+                        std::to_string(columns) + ".");
     }
     list.pairs.push_back({index_of(lines, row[0]), index_of(lines, row[1]), row[2]});
     if (with_poses) list.T_candidate_query.push_back(pose_from_quaternion(lines, row.data() + 3));
@@ -79,15 +80,17 @@ ScoreList read_score_pairs(Lines& lines, bool with_poses) {
 /// @param stream  a `std::istream`
 template <typename Stream>
 std::variant<ScoreMatrix, ScoreList> read_score_csv(Stream& stream, const std::string& name) {
-  detail::TextLines lines(stream, name);
+  TextLines lines(stream, name);
   std::string_view line;
   if (!lines.next(line)) throw Error(name + " holds no scores.");
-  if (line == "query,candidate,score") return detail::read_score_pairs(lines, false);
-  if (line == "query,candidate,score,tx,ty,tz,qx,qy,qz,qw") {
-    return detail::read_score_pairs(lines, true);
-  }
   if (line.substr(0, 5) == "query") {
-    lines.fail(
+    std::string header(line);
+    header.erase(std::remove(header.begin(), header.end(), ' '), header.end());
+    if (header == "query,candidate,score") return detail::read_score_pairs(lines, false);
+    if (header == "query,candidate,score,tx,ty,tz,qx,qy,qz,qw") {
+      return detail::read_score_pairs(lines, true);
+    }
+    throw lines.error(
         "the header of a list of pairs is query,candidate,score, with or without "
         ",tx,ty,tz,qx,qy,qz,qw.");
   }
@@ -98,7 +101,7 @@ std::variant<ScoreMatrix, ScoreList> read_score_csv(Stream& stream, const std::s
 /// @param path  a `std::string`, or what else converts to one
 template <typename Path = std::string>
 std::variant<ScoreMatrix, ScoreList> read_score_csv(const Path& path) {
-  std::ifstream file = detail::open_file(path);
+  std::ifstream file = open_file(path);
   return read_score_csv(file, path);
 }
 

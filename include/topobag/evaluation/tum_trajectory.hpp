@@ -15,27 +15,26 @@ namespace topobag {
 inline namespace v0 {
 
 /// Reads the TUM format: `timestamp tx ty tz qx qy qz qw` per line, seconds and metres, separated
-/// by blanks, `#` comments. Quaternions within 0.01 of unit length are normalised. Throws Error
-/// with `name` and the line for anything else, and for stamps that do not increase.
+/// by blanks or commas, `#` comments. Quaternions within 0.01 of unit length are normalised. Throws
+/// Error with `name` and the line for anything else, and for stamps that do not increase.
 /// @param stream  a `std::istream`
 template <typename Stream>
 Trajectory read_tum(Stream& stream, const std::string& name) {
-  detail::TextLines lines(stream, name);
+  TextLines lines(stream, name);
   Trajectory trajectory;
   std::string_view line;
   std::vector<double> numbers;
   while (lines.next(line)) {
-    lines.numbers(line, ' ', numbers);
+    lines.numbers(line, numbers);
     if (numbers.size() != 8) {
-      lines.fail(
+      throw lines.error(
           "a TUM trajectory has 8 numbers a line: timestamp tx ty tz qx qy qz qw; here are " +
           std::to_string(numbers.size()) + ".");
     }
-    detail::require_finite(lines, numbers.data(), 1);
-    if (!trajectory.empty() && !(numbers[0] > trajectory.back().stamp_s)) {
-      lines.fail("the time stamp is not later than the one before.");
-    }
-    trajectory.push_back({numbers[0], detail::pose_from_quaternion(lines, numbers.data() + 1)});
+    const bool first = trajectory.empty();
+    const double stamp =
+        detail::later_stamp(lines, numbers, first, first ? 0.0 : trajectory.back().stamp_s);
+    trajectory.push_back({stamp, detail::pose_from_quaternion(lines, numbers.data() + 1)});
   }
   return trajectory;
 }
@@ -44,7 +43,7 @@ Trajectory read_tum(Stream& stream, const std::string& name) {
 /// @param path  a `std::string`, or what else converts to one
 template <typename Path = std::string>
 Trajectory read_tum(const Path& path) {
-  std::ifstream file = detail::open_file(path);
+  std::ifstream file = open_file(path);
   return read_tum(file, path);
 }
 

@@ -21,6 +21,8 @@
 #include <topobag/graph/view.hpp>
 #include <topobag/sensing/node_noise.hpp>
 #include <topobag/sensing/same_object.hpp>
+#include <topobag/types/rigid_motion.hpp>
+#include <topobag/types/stamp.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -62,21 +64,26 @@ class LocalGraph {
   /// @param T_previous_current  from this key frame's camera to the last one's; the first has none
   /// @param view                the key frame's camera and occluders; `T_graph_camera` is ignored
   /// @param gravity             which way is down in the key frame's camera frame, where it knows
-  /// Throws InvalidValue for a stamp that goes back, for a pose or a camera that is not finite,
-  /// and, with its index, for a node that a graph would refuse, and a gravity alike.
-  /// O(objects² + objects · nodes).
+  /// Throws InvalidValue for a stamp that goes back, for a pose that is no rigid motion, a camera
+  /// that is not finite, and, with its index, for a node that a graph would refuse, and a gravity
+  /// alike. O(objects² + objects · nodes).
   void add(double stamp, const std::vector<Node>& nodes, const Pose& T_previous_current,
            View<Scalar> view = {}, std::optional<Gravity<Scalar>> gravity = std::nullopt) {
-    if (!std::isfinite(stamp) || (!frames_.empty() && stamp < frames_.back().stamp)) {
-      throw InvalidValue("a local graph's stamps must be finite and must not go back");
+    require_seconds(stamp);
+    if (!frames_.empty() && stamp < frames_.back().stamp) {
+      throw InvalidValue("a local graph's stamps must not go back");
     }
-    if (!frames_.empty() && !T_previous_current.matrix().allFinite()) {
-      throw InvalidValue("the relative pose is not finite");
+    // Put right, as a window is a product of many.
+    Pose T_current_previous = Pose::Identity();
+    if (!frames_.empty()) {
+      const Eigen::Isometry3d T = nearest_rigid(T_previous_current.matrix().template cast<double>(),
+                                                "the relative pose", computed_rotation_tolerance);
+      T_current_previous = T.template cast<Scalar>().inverse();
     }
     if (view.camera.fx != Scalar(0)) view.camera.validate();
     const TopologyGraph<Scalar> shown(nodes, {}, {}, gravity);
     const std::vector<Node> sighted = placed(shown);
-    if (!frames_.empty()) move_to_frame(T_previous_current.inverse());
+    if (!frames_.empty()) move_to_frame(T_current_previous);
     forget_before(stamp - options_.window);
     view.T_graph_camera.setIdentity();
     frames_.push_back({stamp, next_view_, std::move(view), shown.gravity()});

@@ -10,6 +10,7 @@
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
 #include <topobag/types/bounding_box.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 
 namespace topobag {
 inline namespace v0 {

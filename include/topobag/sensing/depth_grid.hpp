@@ -23,7 +23,8 @@ class DepthGrid {
   /// @param width,height  of the image, px
   /// @param columns,rows  of the grid
   /// Each cell takes the least of 4 × 4 depths spread over it, and none when fewer than half of
-  /// them are measured. Throws InvalidValue for a size below 1. O(16 · columns · rows).
+  /// them are measured. Throws InvalidValue for a size below 1, and as
+  /// `require_registered`. O(16 · columns · rows).
   template <typename DepthSource>
   DepthGrid(const DepthSource& depth, int width, int height, int columns = 40, int rows = 30)
       : cell_(static_cast<double>(width) / columns, static_cast<double>(height) / rows),
@@ -35,6 +36,7 @@ class DepthGrid {
     if (width < 1 || height < 1 || columns < 1 || rows < 1) {
       throw InvalidValue("a depth grid needs an image and at least one cell");
     }
+    require_registered(depth, width, height);
     cells_.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <type_traits>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -20,6 +22,31 @@ inline namespace v0 {
 template <typename T>
 inline constexpr bool is_depth_source_v =
     std::is_invocable_r_v<std::optional<double>, const T&, const Eigen::Vector2d&>;
+
+namespace detail {
+
+template <typename Depth, typename = void>
+struct knows_size : std::false_type {};
+template <typename Depth>
+struct knows_size<Depth, std::void_t<decltype(std::declval<const Depth&>().width()),
+                                     decltype(std::declval<const Depth&>().height())>>
+    : std::true_type {};
+
+}  // namespace detail
+
+/// Throws InvalidValue when a depth source that knows its image's size, by `width()` and
+/// `height()`, is of another size than the image whose pixels it is to be asked for, where that is
+/// known: depth is registered to the image, pixel by pixel.
+template <typename Depth>
+void require_registered(const Depth& depth, int width, int height) {
+  if constexpr (detail::knows_size<Depth>::value) {
+    if (width == 0 || height == 0 || (depth.width() == width && depth.height() == height)) return;
+    throw InvalidValue("the depth image is " + std::to_string(depth.width()) + " x " +
+                       std::to_string(depth.height()) + " px, the camera's image " +
+                       std::to_string(width) + " x " + std::to_string(height) +
+                       ": register the depth to the image first");
+  }
+}
 
 /// A depth source over the memory of a depth image, which must outlive it; nothing is copied.
 ///

@@ -172,8 +172,8 @@ LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth
 /// are seen
 /// @param catalog     the classes that the labels number
 /// @param sampling    depth sampling policy: `RobustBoxDepth`, or `CenterDepth` for the paper's
-/// reading Throws UnknownClass with the detection's index, InvalidValue for a bad camera. O(n ·
-/// sampling).
+/// reading Throws UnknownClass with the detection's index, InvalidValue for a bad camera
+/// and as `require_registered`. O(n · sampling).
 template <typename Detections, typename Depth, typename Scalar, typename Sampling = RobustBoxDepth>
 LiftedNodes<Scalar> lift_detections(const Detections& detections, const Depth& depth,
                                     const PinholeCamera<Scalar>& camera,
@@ -192,6 +192,7 @@ LiftedNodes<Scalar> lift_detections(const Detections& detections, const Depth& d
                 "BoundingBox) -> std::optional<double> metres.");
   if constexpr (is_detection_v<T> && is_depth_source_v<Depth> &&
                 is_depth_sampling_v<Sampling, Depth>) {
+    require_registered(depth, camera.width, camera.height);
     return detail::lift_with(
         detections, [&](const T&, const BoundingBox& box) { return sampling(depth, box); }, camera,
         catalog, options);

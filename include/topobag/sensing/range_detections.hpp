@@ -22,7 +22,7 @@ inline namespace v0 {
 /// @param camera      boxes are clipped to its image where its size is known
 /// @param sampling    depth sampling policy
 /// One result for each detection, in order; z = 0 where there is no depth, as for a box that is not
-/// valid. O(n · sampling).
+/// valid. Throws as `require_registered`. O(n · sampling).
 template <typename Detections, typename Depth, typename Scalar, typename Sampling = RobustBoxDepth>
 std::vector<RangedDetection> range_detections(const Detections& detections, const Depth& depth,
                                               const PinholeCamera<Scalar>& camera,
@@ -39,6 +39,7 @@ std::vector<RangedDetection> range_detections(const Detections& detections, cons
   static_assert(is_depth_sampling_v<Sampling, Depth>,
                 "topobag: a depth sampling policy is callable as sampling(depth source, "
                 "BoundingBox) -> std::optional<double> metres.");
+  require_registered(depth, camera.width, camera.height);
   const bool size_known = camera.width > 0 && camera.height > 0;
   std::vector<RangedDetection> ranged;
   for (const auto& detection : detections) {

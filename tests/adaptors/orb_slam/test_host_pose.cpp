@@ -21,6 +21,14 @@ TEST_CASE("poses of cv::Mat's and of Sophus' kind are read alike", "[adaptors]")
   }
 }
 
+TEST_CASE("a host's pose that is no rigid motion is refused", "[adaptors]") {
+  Eigen::Matrix4f scaled = Eigen::Matrix4f::Identity();
+  scaled.topLeftCorner<3, 3>() *= 0.1F;  // a Sim(3), as after a monocular loop
+  CHECK_THROWS_AS(host_pose(small_host::Pose{scaled}), InvalidValue);
+  CHECK_THROWS_AS(host_pose(small_host::Pose{Eigen::Matrix4f::Zero()}), InvalidValue);
+  CHECK_THROWS_AS(host_pose(Eigen::Isometry3f(Eigen::Scaling(1.0F, 1.0F, -1.0F))), InvalidValue);
+}
+
 TEST_CASE("a plain pose is the matrix row by row", "[adaptors]") {
   Eigen::Isometry3d T(Eigen::Translation3d(1.0, 2.0, 3.0) *
                       Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()));

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include <topobag/adaptors/detail/sqlite_journal.hpp>
 #include <topobag/error.hpp>
 
 namespace topobag {
@@ -17,8 +18,15 @@ namespace detail {
 [[noreturn]] inline void sqlite_fail(sqlite3* connection, const std::string& path) {
   const int code = sqlite3_errcode(connection) & 0xFF;
   const std::string text = path + ": " + sqlite3_errmsg(connection);
-  if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
-    throw FormatError(text + "; take another copy");
+  if (code == SQLITE_CORRUPT) throw FormatError(text + "; take another copy");
+  if (code == SQLITE_NOTADB) {
+    throw FormatError(text + ": it is no SQLite map (a snapshot is for `load`), or damaged; take " +
+                      "another copy");
+  }
+  if ((code == SQLITE_READONLY || code == SQLITE_CANTOPEN) && sqlite_has_journal(path)) {
+    throw Error(path +
+                ": it was not closed, and its folder cannot be written, as reading what is " +
+                "in " + path + "-wal needs: copy both files to a folder that can be");
   }
   throw Error(text);
 }
@@ -26,8 +34,14 @@ namespace detail {
 /// An open SQLite file.
 class SqliteConnection {
  public:
-  /// Throws Error when it cannot be opened; without `read_only` it is made where it is missing.
+  /// Throws Error when it cannot be opened, FormatError as `require_journal`; without `read_only`
+  /// it is made where it is missing.
   SqliteConnection(const std::string& path, bool read_only) : path_(path) {
+    // SQLite's names for a data base that goes with its connection.
+    if (path.empty() || path == ":memory:") {
+      throw Error("'" + path + "' is no file: a map there would be gone at the end; name one");
+    }
+    require_journal(path);
     const int flags = read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     sqlite3* opened = nullptr;
     const int status = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,6 +21,7 @@
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/types/class_catalog.hpp>
+#include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -24,6 +29,14 @@ namespace detail {
 
 // A 64-bit id and SQLite's signed integer hold each other's bits.
 inline std::int64_t sqlite_id(KeyframeId id) { return static_cast<std::int64_t>(value(id)); }
+
+/// Throws FormatError for what is no session's number.
+inline std::uint32_t sqlite_session(double number) {
+  const bool fits = number >= 0.0 && number <= std::numeric_limits<std::uint32_t>::max();
+  if (!fits || number != std::floor(number))
+    throw FormatError("its session is no whole number of 32 bits");
+  return static_cast<std::uint32_t>(number);
+}
 
 inline std::int64_t checksum_of(const std::vector<std::uint8_t>& bytes) {
   return static_cast<std::int64_t>(crc32(bytes.data(), bytes.size()));
@@ -38,14 +51,11 @@ inline std::vector<std::optional<double>> pose_columns(
   return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
 }
 
-/// Throws FormatError for a quaternion that is no rotation.
+/// Throws InvalidValue as `pose_from_numbers`.
 inline Eigen::Isometry3d pose_of(const std::vector<std::optional<double>>& columns) {
-  const auto x = [&](std::size_t column) { return columns[column].value_or(0.0); };
-  const Eigen::Quaterniond q(x(6), x(3), x(4), x(5));
-  if (!(q.norm() > 0.0)) throw FormatError("its pose has no rotation");
-  Eigen::Isometry3d T(q.normalized());
-  T.translation() = Eigen::Vector3d(x(0), x(1), x(2));
-  return T;
+  std::array<double, 7> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = columns[i].value_or(0.0);
+  return pose_from_numbers(numbers);
 }
 
 /// "1 keyboard, 2 tv": for people.
@@ -88,18 +98,20 @@ void write_row(SqliteStatement& statement, const EntryRecord& entry,
   statement.step();
 }
 
-/// The row where a `sqlite_select` stands. Throws FormatError when its graph is damaged.
+/// The row where a `sqlite_select` stands. Throws FormatError when its graph is damaged or a number
+/// is none, InvalidValue for a pose that is none: who edits a map by hand hears of it.
 inline EntryRecord read_row(const SqliteStatement& row) {
   EntryRecord entry;
   entry.id = KeyframeId{static_cast<std::uint64_t>(row.integer(0))};
-  entry.info.session = static_cast<std::uint32_t>(row.integer(1));
-  if (!row.is_null(2)) entry.info.stamp = row.real(2);
+  entry.info.session = sqlite_session(row.number(1).value_or(-1.0));
+  entry.info.stamp = row.number(2);
   entry.info.label = row.text(3);
-  if (!row.is_null(4)) {
-    std::vector<std::optional<double>> pose;
-    for (int column = 4; column < 11; ++column) pose.push_back(row.real(column));
-    entry.info.T_world_camera = pose_of(pose);
-  }
+  std::vector<std::optional<double>> pose;
+  for (int column = 4; column < 11; ++column) pose.push_back(row.number(column));
+  const auto given = std::count_if(pose.begin(), pose.end(), [](auto& x) { return x.has_value(); });
+  if (given != 0 && given != 7)
+    throw FormatError("its pose is not whole: tx to qw are seven numbers");
+  if (given == 7) entry.info.T_world_camera = pose_of(pose);
   entry.graph = row.blob(11);
   if (row.integer(12) != checksum_of(entry.graph)) {
     throw FormatError("its checksum does not fit: it is damaged");

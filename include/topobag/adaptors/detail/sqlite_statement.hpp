@@ -55,7 +55,16 @@ class SqliteStatement {
     return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
   }
   std::int64_t integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
-  double real(int column) const { return sqlite3_column_double(statement_.get(), column); }
+  /// Nothing for NULL. Throws FormatError for what is no number: SQLite would make it a 0.
+  std::optional<double> number(int column) const {
+    if (is_null(column)) return std::nullopt;
+    const int type = sqlite3_column_type(statement_.get(), column);
+    if (type != SQLITE_FLOAT && type != SQLITE_INTEGER) {
+      throw FormatError("its '" + std::string(sqlite3_column_name(statement_.get(), column)) +
+                        "' is '" + text(column) + "', which is no number");
+    }
+    return sqlite3_column_double(statement_.get(), column);
+  }
   std::string text(int column) const {
     const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
     return text == nullptr ? std::string()

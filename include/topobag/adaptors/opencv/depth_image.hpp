@@ -30,6 +30,11 @@ class DepthImage {
     }
   }
 
+  /// px
+  int width() const noexcept { return image_.cols; }
+  /// px
+  int height() const noexcept { return image_.rows; }
+
   /// Depth at the pixel nearest to (u, v), m. O(1).
   std::optional<double> operator()(const Eigen::Vector2d& pixel) const noexcept {
     return integers_ ? (*integers_)(pixel) : (*floats_)(pixel);

@@ -54,7 +54,7 @@ class YoloDetector {
                   std::to_string(options_.input_size) + ": " + error.err);
     }
     std::vector<Detection> detections;
-    for (Detection detection : suppress_non_maxima(decoded(output), options_.max_iou)) {
+    for (Detection detection : suppress_non_maxima(detections_in(output), options_.max_iou)) {
       detection.box = letterbox.in_image(detection.box);
       const bool a_pixel_left = detection.box.width() >= 1.0 && detection.box.height() >= 1.0;
       if (a_pixel_left) detections.push_back(detection);
@@ -63,6 +63,15 @@ class YoloDetector {
   }
 
  private:
+  /// Throws Error, which names the file, when the output is not the head's.
+  std::vector<Detection> detections_in(const cv::Mat& output) const {
+    try {
+      return decoded(output);
+    } catch (const InvalidValue& why) {
+      throw Error(model_ + ": " + why.what());
+    }
+  }
+
   std::vector<Detection> decoded(const cv::Mat& output) const {
     if (output.dims != 3 || output.type() != CV_32F) {
       throw Error(model_ + ": the network does not put out one table of numbers");

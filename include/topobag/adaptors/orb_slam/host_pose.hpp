@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include <topobag/version.hpp>
+#include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -47,7 +47,7 @@ inline constexpr bool is_host_pose_v = detail::has_matrix<std::remove_reference_
 
 /// The pose of a host as double: of anything with `matrix()` (Sophus::SE3f, as in ORB-SLAM3, and
 /// Eigen's own) or with `at<float>(row, column)` (a 4 × 4 cv::Mat, as in ORB-SLAM2). A rotation
-/// that rounding left askew is put right.
+/// that rounding left askew is put right; throws InvalidValue for what is no rigid motion.
 template <typename Pose>
 Eigen::Isometry3d host_pose(const Pose& pose) {
   static_assert(is_host_pose_v<Pose>,
@@ -62,10 +62,7 @@ Eigen::Isometry3d host_pose(const Pose& pose) {
       }
     }
   }
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = Eigen::Quaterniond(matrix.topLeftCorner<3, 3>()).normalized().toRotationMatrix();
-  T.translation() = matrix.topRightCorner<3, 1>();
-  return T;
+  return nearest_rigid(matrix, "the host's pose", computed_rotation_tolerance);
 }
 
 }  // namespace v0

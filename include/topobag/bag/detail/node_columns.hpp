@@ -50,25 +50,14 @@ class NodeColumns {
   static constexpr std::int64_t has_depth = 4;  ///< other than the position's
   static constexpr std::int64_t has_covariance = 8;
 
-  /// Throws InvalidValue for more nodes than the format counts, or, with its index, for one further
-  /// away than it reaches.
+  /// Of nodes that `require_savable` lets pass.
   template <typename Scalar>
   explicit NodeColumns(const std::vector<SemanticNode<Scalar>>& nodes) {
-    if (nodes.size() > max_nodes) throw InvalidValue("a graph of more than 4096 nodes");
     for (Column* column : {&confidence_, &label_, &existence_, &parts_, &width_, &height_, &u_, &v_,
                            &x_, &y_, &z_, &along_, &across_}) {
       column->reserve(nodes.size());
     }
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      add(nodes[i]);
-      if (std::abs(static_cast<double>(nodes[i].z)) > max_metres ||
-          (nodes[i].position &&
-           static_cast<double>(nodes[i].position->cwiseAbs().maxCoeff()) > max_metres)) {
-        throw InvalidValue(
-            "node " + std::to_string(i) + " is more than 2^20 m away: a graph is kept in metres",
-            i);
-      }
-    }
+    for (const SemanticNode<Scalar>& node : nodes) add(node);
   }
 
   /// Throws FormatError.

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -31,17 +29,10 @@ inline constexpr ColumnRange box_range{0, 2 * pixel_range.high};
 /// The views of a graph, property by property.
 class ViewColumns {
  public:
-  /// Throws InvalidValue with its index for a view that is not finite or too far away.
+  /// Of views that `require_savable` lets pass.
   template <typename Scalar>
   explicit ViewColumns(const std::vector<View<Scalar>>& views) {
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      if (!representable(views[i])) {
-        throw InvalidValue("view " + std::to_string(i) +
-                               " holds a number that is not finite, or is more than 2^20 m away",
-                           i);
-      }
-      add(views[i]);
-    }
+    for (const View<Scalar>& view : views) add(view);
   }
 
   /// Throws FormatError.
@@ -109,22 +100,6 @@ class ViewColumns {
   }
 
  private:
-  template <typename Scalar>
-  static bool representable(const View<Scalar>& view) {
-    const auto& camera = view.camera;
-    const Eigen::Vector3d t = view.T_graph_camera.translation().template cast<double>();
-    bool finite = view.T_graph_camera.matrix().allFinite() && t.cwiseAbs().maxCoeff() <= max_metres;
-    for (const Scalar x : {camera.fx, camera.fy, camera.cx, camera.cy}) {
-      finite = finite && std::isfinite(x);
-    }
-    for (const Occluder& o : view.occluders) {
-      for (const double x : {o.box.x1, o.box.y1, o.box.x2, o.box.y2, o.z}) {
-        finite = finite && std::isfinite(x);
-      }
-    }
-    return finite;
-  }
-
   template <typename Scalar>
   void add(const View<Scalar>& view) {
     const Eigen::Isometry3d T = view.T_graph_camera.template cast<double>();

@@ -1,56 +1,49 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
+#include <string>
+#include <vector>
 
-#include <Eigen/Geometry>
-
-#include <topobag/evaluation/detail/text_lines.hpp>
+#include <topobag/evaluation/text_lines.hpp>
 #include <topobag/evaluation/trajectory.hpp>
+#include <topobag/types/rigid_motion.hpp>
+#include <topobag/types/stamp.hpp>
 
 namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// How far a quaternion's norm, or a rotation matrix's product with its transpose, may be from one
-/// before a reader refuses it instead of normalising it: room for text with two decimals.
-inline constexpr double rotation_tolerance = 0.01;
-
+/// The first of the current line's numbers as a time in seconds.
 template <typename Lines>
-void require_finite(const Lines& lines, const double* values, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(values[i])) lines.fail("a number is not finite.");
+double stamp_of(const Lines& lines, const std::vector<double>& numbers) {
+  lines.located([&] { require_seconds(numbers[0]); });
+  return numbers[0];
+}
+
+/// The same, later than the one before.
+template <typename Lines>
+double later_stamp(const Lines& lines, const std::vector<double>& numbers, bool first,
+                   double before) {
+  const double stamp = stamp_of(lines, numbers);
+  if (!first && !(stamp > before)) {
+    throw lines.error("the time stamp is not later than the one before.");
   }
+  return stamp;
 }
 
 /// `tx ty tz qx qy qz qw` of the current line as a pose.
 template <typename Lines>
 Eigen::Isometry3d pose_from_quaternion(const Lines& lines, const double* values) {
-  require_finite(lines, values, 7);
-  const Eigen::Quaterniond q(values[6], values[3], values[4], values[5]);
-  if (!(std::abs(q.norm() - 1.0) <= rotation_tolerance)) {
-    lines.fail("the quaternion (the last four numbers, qx qy qz qw) does not have unit length.");
-  }
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() << values[0], values[1], values[2];
-  pose.linear() = q.normalized().toRotationMatrix();
-  return pose;
+  return lines.located([&] { return pose_from_numbers(values); });
 }
 
 /// A row-major 3×4 matrix [R | t] of the current line as a pose.
 template <typename Lines>
 Eigen::Isometry3d pose_from_matrix(const Lines& lines, const double* values) {
-  require_finite(lines, values, 12);
-  const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> matrix(values);
-  const Eigen::Matrix3d rotation = matrix.leftCols<3>();
-  const double defect = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
-  if (!(defect <= rotation_tolerance) || rotation.determinant() < 0.0) {
-    lines.fail("the first three columns of the 3×4 matrix are not a rotation.");
-  }
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = matrix.col(3);
-  pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
-  return pose;
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topRows<3>() = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(values);
+  return lines.located(
+      [&] { return nearest_rigid(matrix, "the 3×4 matrix", written_rotation_tolerance); });
 }
 
 }  // namespace detail

@@ -62,6 +62,19 @@ class FileBuffer : public std::streambuf {
   std::vector<char> buffer_;
 };
 
+/// A link is followed: the file behind it is written, not the link.
+inline std::string target_of(const std::string& path) {
+  const std::unique_ptr<char, void (*)(void*)> target(::realpath(path.c_str(), nullptr), std::free);
+  return target ? std::string(target.get()) : path;
+}
+
+inline std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+}  // namespace detail
+
 /// A file that appears under its name complete and on the disk, or not at all: what stood there
 /// before stays until then. (POSIX.)
 ///
@@ -71,7 +84,7 @@ class FileBuffer : public std::streambuf {
 class AtomicFile {
  public:
   /// Throws Error when the file cannot be made, or what stands there is no regular file.
-  explicit AtomicFile(const std::string& path) : path_(target_of(path)) {
+  explicit AtomicFile(const std::string& path) : path_(detail::target_of(path)) {
     struct ::stat before {};
     const bool replaces = ::stat(path_.c_str(), &before) == 0;
     if (replaces && !S_ISREG(before.st_mode)) fail(S_ISDIR(before.st_mode) ? EISDIR : EINVAL);
@@ -81,7 +94,7 @@ class AtomicFile {
       if (file_ < 0 && errno != EEXIST) fail(errno);
     }
     if (replaces) static_cast<void>(::fchmod(file_, before.st_mode));
-    buffer_ = std::make_unique<FileBuffer>(file_);
+    buffer_ = std::make_unique<detail::FileBuffer>(file_);
   }
 
   AtomicFile(const AtomicFile&) = delete;
@@ -92,6 +105,7 @@ class AtomicFile {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
   }
 
+  /// Where the content goes.
   std::streambuf* buffer() noexcept { return buffer_.get(); }
 
   /// Throws Error with the system's reason; then the old file is as it was.
@@ -112,18 +126,9 @@ class AtomicFile {
     throw Error(path_ + " cannot be written: " + std::generic_category().message(reason));
   }
 
-  /// A link is followed: the file behind it is replaced, not the link.
-  static std::string target_of(const std::string& path) {
-    const std::unique_ptr<char, void (*)(void*)> target(::realpath(path.c_str(), nullptr),
-                                                        std::free);
-    return target ? std::string(target.get()) : path;
-  }
-
   /// So that the new name, too, survives a loss of power. Not every file system can.
   void sync_folder() const {
-    const std::size_t slash = path_.rfind('/');
-    const std::string folder = slash == std::string::npos ? "." : path_.substr(0, slash + 1);
-    const int opened = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+    const int opened = ::open(detail::folder_of(path_).c_str(), O_RDONLY | O_CLOEXEC);
     if (opened < 0) return;
     static_cast<void>(::fsync(opened));
     ::close(opened);
@@ -132,9 +137,8 @@ class AtomicFile {
   std::string path_;
   std::string temporary_;
   int file_ = -1;
-  std::unique_ptr<FileBuffer> buffer_;
+  std::unique_ptr<detail::FileBuffer> buffer_;
 };
 
-}  // namespace detail
 }  // namespace v0
 }  // namespace topobag

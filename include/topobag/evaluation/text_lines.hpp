@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <topobag/error.hpp>
+#include <topobag/evaluation/number_text.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// The lines of a text file: how every reader of text reads, and complains.
+///
+/// Lines end as on Unix or Windows; a byte-order mark, the blanks around a line, blank lines and
+/// `#` comment lines are left out. What is no text in UTF-8 or ASCII is refused. Every complaint
+/// names the file and the line.
+class TextLines {
+ public:
+  /// @param stream  read as the lines are asked for; it must live as long
+  /// @param name    of the file, for complaints
+  TextLines(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
+
+  /// The next line; false at the end. The view lives until the next call. Throws Error for bytes
+  /// that are no text, and when the stream fails.
+  bool next(std::string_view& line) {
+    while (std::getline(stream_, buffer_)) {
+      ++number_;
+      line = buffer_;
+      if (number_ == 1) line = without_mark(line);
+      line = trimmed(line);
+      if (line.empty() || line.front() == '#') continue;
+      require_text(line);
+      return true;
+    }
+    if (stream_.bad()) throw Error(name_ + " could not be read to its end.", number_);
+    return false;
+  }
+
+  /// Of the line that `next` gave, from 1.
+  std::size_t number() const noexcept { return number_; }
+  /// Of the file.
+  const std::string& name() const noexcept { return name_; }
+
+  /// To be thrown: file, line and the sentence; `index()` is the line's number.
+  Error error(const std::string& sentence) const {
+    return Error(name_ + ":" + std::to_string(number_) + ": " + sentence, number_);
+  }
+
+  /// What `call()` returns; an Error of it gets file and line.
+  template <typename Call>
+  auto located(const Call& call) const {
+    try {
+      return call();
+    } catch (const Error& why) {
+      throw error(why.what());
+    }
+  }
+
+  /// The fields of a line into `fields`: between commas where it has one, else between blanks.
+  static void split(std::string_view line, std::vector<std::string_view>& fields) {
+    fields.clear();
+    const bool commas = line.find(',') != std::string_view::npos;
+    const std::string_view separators = commas ? "," : " \t";
+    for (std::size_t begin = 0; begin <= line.size();) {
+      const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+      const std::string_view field = trimmed(line.substr(begin, end - begin));
+      if (commas || !field.empty()) fields.push_back(field);
+      begin = end + 1;
+    }
+  }
+
+  /// The numbers of a line, separated as `split` does, into `values`; anything else is refused.
+  void numbers(std::string_view line, std::vector<double>& values) {
+    values.clear();
+    split(line, fields_);
+    for (const std::string_view field : fields_) values.push_back(number(field));
+  }
+
+  /// The number that a field of the current line is. Throws Error when it is none.
+  double number(std::string_view field) const {
+    if (const auto value = parse_number(field)) return *value;
+    throw error(field.empty() ? "a number is missing between two commas, or at an end."
+                              : "'" + std::string(field.substr(0, 40)) + "' is not a number.");
+  }
+
+ private:
+  std::string_view without_mark(std::string_view line) const {
+    const std::string_view start = line.substr(0, 2);
+    if (start == "\xFF\xFE" || start == "\xFE\xFF") throw error("this is UTF-16: save it as UTF-8");
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return line.substr(0, mark.size()) == mark ? line.substr(mark.size()) : line;
+  }
+
+  void require_text(std::string_view line) const {
+    const auto is_control = [](char c) { return (c >= '\0' && c < ' ' && c != '\t') || c == 0x7F; };
+    if (std::any_of(line.begin(), line.end(), is_control)) {
+      throw error("this is no text; is it the right file?");
+    }
+  }
+
+  std::istream& stream_;
+  std::string name_;
+  std::string buffer_;
+  std::vector<std::string_view> fields_;
+  std::size_t number_ = 0;
+};
+
+/// Opens a file for a reader; throws Error when that fails, or when it is a folder.
+inline std::ifstream open_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || (file.peek(), file.bad())) throw Error(path + " cannot be opened for reading.");
+  file.clear();
+  return file;
+}
+
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <topobag/evaluation/text_lines.hpp>
+#include <topobag/evaluation/tum_trajectory.hpp>
+
+#include "catch.hpp"
+#include "error_text.hpp"
+
+using namespace topobag;
+
+namespace {
+
+/// The lines that a reader sees of a text.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  TextLines lines(stream, "a.txt");
+  std::vector<std::string> all;
+  for (std::string_view line; lines.next(line);) {
+    all.push_back(std::to_string(lines.number()) + ":" + std::string(line));
+  }
+  return all;
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string_view> fields;
+  TextLines::split(line, fields);
+  return {fields.begin(), fields.end()};
+}
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("byte-order mark, line ends, blanks and comments do not matter", "[evaluation]") {
+  CHECK(lines_of("\xEF\xBB\xBF 1 2 \r\n\r\n# 3\n\t\n  # 4\n5") == Texts{"1:1 2", "6:5"});
+  CHECK(lines_of("\xEF\xBB\xBF# head\n1\n") == Texts{"2:1"});
+  CHECK(lines_of("").empty());
+}
+
+TEST_CASE("fields lie between commas where there is one, else between blanks", "[evaluation]") {
+  CHECK(fields_of("1  2\t3") == Texts{"1", "2", "3"});
+  CHECK(fields_of("1, 2 ,3") == Texts{"1", "2", "3"});
+  CHECK(fields_of("my tv,,2") == Texts{"my tv", "", "2"});
+  CHECK(fields_of("one") == Texts{"one"});
+}
+
+TEST_CASE("what is no text is refused with its line", "[evaluation]") {
+  const auto complaint = [](const std::string& text) {
+    return error_text([&] { lines_of(text); });
+  };
+  CHECK(complaint("1\n\x01\x02\n") == "a.txt:2: this is no text; is it the right file?");
+  CHECK(complaint(std::string("1\0", 2)) == "a.txt:1: this is no text; is it the right file?");
+  CHECK(complaint("\xFF\xFE"
+                  "1") == "a.txt:1: this is UTF-16: save it as UTF-8");
+}
+
+TEST_CASE("a complaint of what a line holds gets file and line", "[evaluation]") {
+  std::istringstream stream("1 2\nx 2\n1,,2\n");
+  TextLines lines(stream, "a.txt");
+  std::string_view line;
+  std::vector<double> numbers;
+  REQUIRE(lines.next(line));
+  lines.numbers(line, numbers);
+  CHECK(numbers == std::vector<double>{1, 2});
+  CHECK(lines.located([] { return 7; }) == 7);
+  CHECK(error_text([&] { lines.located([] { throw InvalidValue("it is wrong"); }); }) ==
+        "a.txt:1: it is wrong");
+  REQUIRE(lines.next(line));
+  CHECK(error_text([&] { lines.numbers(line, numbers); }) == "a.txt:2: 'x' is not a number.");
+  REQUIRE(lines.next(line));
+  CHECK(error_text([&] { lines.numbers(line, numbers); }).find("a number is missing") !=
+        std::string::npos);
+}
+
+TEST_CASE("a trajectory reads alike with commas, a mark, Windows' line ends and plus signs",
+          "[evaluation]") {
+  std::istringstream stream("\xEF\xBB\xBF# t x\r\n+1.0,0,0,0,0,0,0,1\r\n\r\n2 1 0 0 0 0 0 1\r\n");
+  const Trajectory trajectory = read_tum(stream, "a.txt");
+  REQUIRE(trajectory.size() == 2);
+  CHECK(trajectory[0].stamp_s == 1.0);
+  CHECK(trajectory[1].T_world_body.translation().x() == 1.0);
+  std::istringstream nanoseconds("1305031102175304000 0 0 0 0 0 0 1\n");
+  CHECK(error_text([&] { read_tum(nanoseconds, "ns.txt"); }).find("ns.txt:1: the time stamp") == 0);
+}

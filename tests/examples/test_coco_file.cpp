@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "catch.hpp"
+#include "coco_file.hpp"
+#include "scratch.hpp"
+
+using namespace program;
+
+namespace {
+
+const topobag::ClassCatalog coco_classes = topobag::ClassCatalog::coco80();
+
+/// What is said of a file.
+std::string coco_complaint(const std::string& text) {
+  const ScratchFolder folder;
+  return error_in(folder, [&] { read_coco(folder.write("f.json", text), coco_classes); });
+}
+
+/// A list of results of one box.
+std::string result(const std::string& category, const std::string& box,
+                   const std::string& score = "0.5") {
+  return R"([{"image_id": 1, "category_id": )" + category + R"(, "bbox": )" + box +
+         R"(, "score": )" + score + "}]";
+}
+
+}  // namespace
+
+TEST_CASE("COCO results go by COCO's own numbers", "[examples]") {
+  const ScratchFolder folder;
+  const auto images = read_coco(folder.write("results.json", R"([
+    {"image_id": 42, "category_id": 72, "bbox": [10, 20, 30, 40], "score": 0.5},
+    {"image_id": "left/7.png", "category_id": 90, "bbox": [0, 0, 1, 1], "score": 0.25},
+    {"image_id": 42, "category_id": 1, "bbox": [0, 0, 1, 1], "score": 0.125}])"),
+                                coco_classes);
+  REQUIRE(images.size() == 2);
+  CHECK(images[0].name == "42");
+  REQUIRE(images[0].boxes.size() == 2);
+  CHECK(images[0].boxes[0].label == coco_classes.at("tv"));
+  CHECK(images[0].boxes[0].box.x1 == 9.5);
+  CHECK(images[0].boxes[0].box.y2 == 59.5);
+  CHECK(images[0].boxes[1].label == coco_classes.at("person"));
+  CHECK(images[1].name == "left/7.png");
+  CHECK(images[1].boxes[0].label == coco_classes.at("toothbrush"));
+}
+
+TEST_CASE("a COCO category that is no whole number of an int is refused",
+          "[examples][regression]") {
+  for (const std::string category :
+       {"3.3e26", "4294967297", "-1", "0", "91", "12", "1.5", "null"}) {
+    const std::string error = coco_complaint(result(category, "[0, 0, 9, 9]"));
+    CAPTURE(category, error);
+    CHECK(error.find("f.json, entry 1: category ") == 0);
+    CHECK(error.find(" is none of COCO's") != std::string::npos);
+  }
+}
+
+TEST_CASE("a COCO box or score of another kind is refused with its entry", "[examples]") {
+  for (const std::string score : {"90", "-1e-9"}) {
+    CHECK(coco_complaint(result("1", "[0, 0, 9, 9]", score)) ==
+          "f.json, entry 1: the score has to lie in [0, 1]");
+  }
+  for (const std::string box : {"[1, 2, 3]", "[1, 2, 3, 4, 5]", "[1, 2, null, 4]", "7"}) {
+    CHECK(coco_complaint(result("1", box)) ==
+          "f.json, entry 1: bbox has to be four numbers: x, y, width, height");
+  }
+  CHECK(coco_complaint(result("1", "[1, 2, -3, 4]")) ==
+        "f.json, entry 1: bbox has a negative width or height");
+  CHECK(coco_complaint(result("72", "[0.4, 0.35, 0.2, 0.3]")).find("as shares of the image do") !=
+        std::string::npos);
+  CHECK(coco_complaint("{\"annotations\": [").find("f.json: ") == 0);
+}
+
+TEST_CASE("an id of two images or of two categories is refused", "[examples]") {
+  CHECK(coco_complaint(R"({"images": [{"id": 3, "file_name": "a.png"},
+                                      {"id": "3", "file_name": "b.png"}], "annotations": []})") ==
+        "f.json: images gives id 3 to 'a.png' and to 'b.png'");
+  CHECK(coco_complaint(R"({"categories": [{"id": 1, "name": "tv"}, {"id": 1.0, "name": "cup"}],
+                           "annotations": []})") ==
+        "f.json: categories gives id 1 to 'tv' and to 'cup'");
+}
