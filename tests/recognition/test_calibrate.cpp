@@ -274,7 +274,6 @@ TEST_CASE("draws are spread evenly over the whole map", "[recognition]") {
 TEST_CASE("the null model draws from the end of a long map too", "[recognition][regression]") {
   RecognitionOptions options;
   options.max_candidates = 8;
-  options.decision.lead_deviations = 0.0;  // few look-ups: each is to give a score
   Relocalizer<> relocalizer(options);
   const auto ids = fill(relocalizer, 30);
   std::vector<KeyframeId> every_fifth;

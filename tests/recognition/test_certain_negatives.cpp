@@ -93,7 +93,8 @@ TEST_CASE("the true place is no negative, its repetition is", "[recognition]") {
     CHECK((!chance || *chance < *repeated));
     CHECK_FALSE(is_beyond_chance(in_once, chance));
     // Said to stand elsewhere, the query finds its own place wrongly.
-    const auto displaced = false_score_by_pose(in_once, once.map(), shifted_by(5.0) * T_world_query);
+    const auto displaced =
+        false_score_by_pose(in_once, once.map(), shifted_by(5.0) * T_world_query);
     REQUIRE(displaced);
     CHECK(*displaced >= in_once.accepted->score());
   }

@@ -65,8 +65,7 @@ TEST_CASE("a square of equal objects fits four ways and is ambiguous", "[recogni
   bag.add(KeyframeId{0}, square);
   RecognitionOptions options;
   options.decision.min_score = -100.0;  // the symmetry alone decides
-  const Recognition recognition =
-      verify_candidates(bag, square, {{KeyframeId{0}, 1.0}}, options);
+  const Recognition recognition = verify_candidates(bag, square, {{KeyframeId{0}, 1.0}}, options);
   REQUIRE(recognition.candidates.size() == 1);
   CHECK(recognition.candidates[0].other_poses.size() >= 3);
   CHECK(recognition.candidates[0].verdict == Verdict::ambiguous);

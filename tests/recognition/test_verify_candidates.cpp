@@ -166,7 +166,7 @@ Verdict verdict_on(std::vector<RelativePose> poses) {
   options.min_score = 1.0;
   detail::prefer_determined(poses, *options.min_score);
   CandidateReport report;
-  report.threshold = *options.min_score;
+  report.threshold = report.believable = *options.min_score;
   report.pose = poses.front();
   report.other_poses.assign(poses.begin() + 1, poses.end());
   return detail::judge_candidate(report, TopologyGraph<>{}, options);

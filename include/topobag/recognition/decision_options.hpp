@@ -33,6 +33,11 @@ struct DecisionOptions {
   double threshold(std::size_t places) const {
     if (min_score) return *min_score;
     if (calibration) return calibration->threshold(false_accept_rate).score;
+    return believable(places);
+  }
+
+  /// What the rate asks for among `places`, whatever else says what to ask for. Throws as above.
+  double believable(std::size_t places) const {
     if (!(false_accept_rate > 0.0 && false_accept_rate <= 1.0)) {
       throw InvalidValue("a false-accept rate must be in (0, 1]");
     }

@@ -31,6 +31,7 @@ struct CandidateReport {
   std::optional<double> place_support;      ///< of the pose by all objects of the place around it
   std::optional<RivalPlace> rival;          ///< that keeps the pose from being believed
   double threshold = 0.0;                   ///< the score that was asked for
+  double believable = 0.0;                  ///< the score that the rate asks for, of rivals as well
   std::optional<double> confidence;         ///< P(true), when the decision is calibrated
   bool complete = true;                     ///< false when the search ended with its budget
 

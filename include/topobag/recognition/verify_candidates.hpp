@@ -40,7 +40,7 @@ Verdict judge_candidate(const CandidateReport& report, const Graph& query,
   if (!(report.margin() >= 0.0)) return Verdict::chance;
   const bool ambiguous =
       std::any_of(report.other_poses.begin(), report.other_poses.end(), [&](const auto& other) {
-        return is_rival(other, *report.pose, query, report.threshold, options);
+        return is_rival(other, *report.pose, query, report.believable, options);
       });
   if (ambiguous) return Verdict::ambiguous;
   return report.rival ? Verdict::rivalled : Verdict::accepted;
@@ -104,12 +104,14 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
   if (!recognition.usable) return recognition;
   recognition.places = detail::places_of(bag, candidates.size(), 0);
   const double threshold = options.decision.threshold(recognition.places);
+  const double believable = options.decision.believable(recognition.places);
   auto& reports = recognition.candidates;
   for (const Candidate& candidate : candidates) {
     const auto graph = detail::stored_graph(bag, candidate.id, 0);
     if (!graph) continue;
     reports.push_back(
         detail::matched_report(candidate, *graph, query, options.matching, threshold));
+    reports.back().believable = believable;
   }
   detail::judge_places(bag, query, options, reports);
   for (CandidateReport& report : reports) {

@@ -88,7 +88,7 @@ TEST_CASE("the lead asked for grows with how far the rival is believed, and with
   CHECK(whole == Approx(2.0 * half));
   CHECK(detail::lead_to_ask(8, 9.0, 2.0, options) - options.min_lead == Approx(whole));
   CHECK(detail::lead_to_ask(32, 2.0, 2.0, options) - options.min_lead == Approx(2.0 * whole));
-  // A threshold that asks for nothing believes every rival.
+  // Where no score is asked for, every rival is believed.
   CHECK(detail::lead_to_ask(8, -1.0, 0.0, options) - options.min_lead == Approx(whole));
 }
 
