@@ -137,7 +137,8 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
   } catch (const topobag::InvalidValue& invalid) {
     throw InputError(set_name(set) + ".frames.csv", invalid.what());
   }
-  require_usable(set, table, keyframes, options);
+  // Single frames may be compared without a position.
+  if (options.window > 0.0) require_usable(set, table, keyframes, options);
   return keyframes;
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <random>
 #include <string>
@@ -97,4 +98,27 @@ TEST_CASE("a killed mapping run loses at most the key frame being written", "[sq
 
 TEST_CASE("300 killed mapping runs lose at most the key frame being written", "[sqlite][long]") {
   kill_adds(long_rounds(300));
+}
+
+TEST_CASE("what a killed process had not finished is taken back, for reading too", "[sqlite]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db");
+  std::mt19937 random(12);
+  BagOfTopologyGraphs<> run;
+  for (std::uint64_t id = 0; id < 200; ++id) run.add(KeyframeId{id}, random_graph(random, 12));
+  SqliteBag<>(path).add_session("Monday", run);
+  ChildProcess writer([&](const auto& tell) {
+    const detail::SqliteConnection connection(path, false);
+    // With so small a cache changed pages go to the file before the end.
+    connection.run("PRAGMA cache_size = 1; BEGIN IMMEDIATE; UPDATE keyframe SET label = 'half'");
+    tell(1);
+    ::pause();
+  });
+  REQUIRE(writer.told() == 1U);
+  writer.kill();
+  REQUIRE(std::filesystem::file_size(path + "-journal") > 0);
+  SqliteOptions reading;
+  reading.read_only = true;
+  CHECK(SqliteBag<>(path, reading).bag().info(KeyframeId{1})->label.empty());
+  CHECK_FALSE(std::filesystem::exists(path + "-journal"));
 }

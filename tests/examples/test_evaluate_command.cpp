@@ -127,9 +127,9 @@ TEST_CASE("topobag evaluate: bad input is said in a sentence", "[program][evalua
           "x.npy");
   refused("--poses " + folder.write("empty.txt", "# none\n") + scores + " --protocol distance=1",
           "no pose");
-  refused(
-      "--poses " + folder.write("two.txt", "seq: 1\nseq: 2\n") + scores + " --protocol distance=1",
-      "does not hold one trajectory");
+  refused("--poses " + folder.write("two.txt", "seq: 1\n1 0 0 0 0 0 0 1\nseq: 2\n") + scores +
+              " --protocol distance=1",
+          "does not hold one trajectory");
   const std::string good = with_poses + scores + " --protocol distance=1";
   refused(good + " --level nan", "'nan' is not a number in [0.01, 0.999]");
   refused(good + " --accept nan", "'nan' is not a number in (-inf, inf)");

@@ -146,7 +146,7 @@ TEST_CASE("a table of another camera's images is refused", "[examples][regressio
 }
 
 TEST_CASE("a table without a usable key frame is refused with what became of it", "[examples]") {
-  KeyframeOptions options{camera, 0.0, 0.0, 1.0};
+  KeyframeOptions options{camera, 0.0, 3.0, 1.0};
   const std::string why = error_text([&] { read_keyframes(sample_map, options); });
   CHECK(why.find("fr1_xyz.nodes.csv: none of the 67 key frames has three objects with a position; "
                  "of 772 detections in the table 772 are below --min-confidence, 0 move") !=

@@ -101,7 +101,8 @@ TEST_CASE("bad frames are refused with file and line", "[examples]") {
   CHECK(error_of_frame("0,a,1,0,0,,0,0,0,1\n") ==
         "s.frames.csv:2: column 'tz' holds '', which is not a finite number");
   CHECK(error_of_frame("0,a,1,0,0,0,0,0,0,2\n") ==
-        "s.frames.csv:2: the quaternion qx qy qz qw has norm 2.000000, not 1");
+        "s.frames.csv:2: the quaternion (the last four numbers, qx qy qz qw) does not have unit "
+        "length, but 2.000000");
   CHECK(error_of_frame("0,a,1,0,0,0,0,0,0,1\n0,b,2,0,0,0,0,0,0,1\n") ==
         "s.frames.csv:3: idx 0 is there twice");
   CHECK(error_of_frame("0,a,2,0,0,0,0,0,0,1\n1,b,1,0,0,0,0,0,0,1\n") ==

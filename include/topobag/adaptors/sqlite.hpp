@@ -88,7 +88,7 @@ class SqliteBag {
     require_new(id);
     Row row = row_of(id, graph, info);
     change([&] { put(detail::sqlite_insert, row); });
-    bag_.add(id, std::move(row.graph), std::move(row.entry.info));
+    bag_.add(id, std::move(row.graph), as_read(row.entry.info));
   }
 
   /// Adds a new run of the robot and all of its key frames: all are there afterwards, or nothing
@@ -112,7 +112,7 @@ class SqliteBag {
       }
     });
     for (Row& row : rows) {
-      bag_.add(row.entry.id, std::move(row.graph), std::move(row.entry.info));
+      bag_.add(row.entry.id, std::move(row.graph), as_read(row.entry.info));
     }
     return session;
   }
@@ -125,7 +125,7 @@ class SqliteBag {
     }
     Row row = row_of(id, graph, info);
     change([&] { put(detail::sqlite_update, row); });
-    bag_.update(id, std::move(row.graph), std::move(row.entry.info));
+    bag_.update(id, std::move(row.graph), as_read(row.entry.info));
   }
 
   /// Takes a key frame out; false if it was not there.
@@ -180,8 +180,13 @@ class SqliteBag {
     info.validate();
     Row row{{id, info, encode(graph, options_.views)}, {}};
     row.graph = decode<typename Graph::Scalar>(row.entry.graph);
-    if (auto& T = row.entry.info.T_world_camera) T = detail::pose_of(detail::pose_columns(T));
     return row;
+  }
+
+  /// With the pose as its columns keep it.
+  static EntryInfo as_read(EntryInfo info) {
+    if (auto& T = info.T_world_camera) T = detail::pose_of(detail::pose_columns(T));
+    return info;
   }
 
   void put(const char* sql, const Row& row) {

@@ -11,13 +11,13 @@ namespace topobag {
 inline namespace v0 {
 
 /// Whether `text` is UTF-8, of which ASCII is a part: no stray byte, no surrogate, nothing longer
-/// than it need be, no zero byte.
+/// than it need be.
 inline bool is_utf8(std::string_view text) noexcept {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
     const unsigned first = byte(i);
     const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    const bool leads = (first > 0 && first < 0x80) || (first >= 0xC2 && first <= 0xF4);
+    const bool leads = first < 0x80 || (first >= 0xC2 && first <= 0xF4);
     if (!leads || length > text.size() - i) return false;
     for (std::size_t k = 1; k < length; ++k) {
       if ((byte(i + k) & 0xC0U) != 0x80U) return false;

@@ -23,10 +23,11 @@ namespace detail {
     throw FormatError(text + ": it is no SQLite map (a snapshot is for `load`), or damaged; take " +
                       "another copy");
   }
-  if ((code == SQLITE_READONLY || code == SQLITE_CANTOPEN) && sqlite_has_journal(path)) {
+  const std::string journal = sqlite_journal_of(path);
+  if ((code == SQLITE_READONLY || code == SQLITE_CANTOPEN) && !journal.empty()) {
     throw Error(path +
                 ": it was not closed, and its folder cannot be written, as reading what is " +
-                "in " + path + "-wal needs: copy both files to a folder that can be");
+                "in " + journal + " needs: copy both files to a folder that can be");
   }
   throw Error(text);
 }
@@ -42,6 +43,7 @@ class SqliteConnection {
       throw Error("'" + path + "' is no file: a map there would be gone at the end; name one");
     }
     require_journal(path);
+    if (read_only && sqlite_journal_of(path) == path + "-journal") undo_unfinished(path);
     const int flags = read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     sqlite3* opened = nullptr;
     const int status = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
@@ -62,6 +64,15 @@ class SqliteConnection {
   [[noreturn]] void fail() const { sqlite_fail(get(), path_); }
 
  private:
+  /// Takes back what a process was writing when it was killed, which reading alone cannot; where
+  /// the folder cannot be written, reading will say so.
+  static void undo_unfinished(const std::string& path) {
+    try {
+      SqliteConnection(path, false).run("SELECT count(*) FROM sqlite_master");
+    } catch (const Error&) {
+    }
+  }
+
   struct Close {
     /// What was open for writing is left as one file without a journal beside it, which can be
     /// copied, and read where nothing may be written.

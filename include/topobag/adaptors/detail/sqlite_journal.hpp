@@ -14,9 +14,13 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// Whether a journal lies beside a map: it is open, or was not closed.
-inline bool sqlite_has_journal(const std::string& path) {
-  return std::ifstream(path + "-wal").good();
+/// The journal that lies beside a map, which then is open or was not closed: what has been written
+/// since (-wal) or what was there before (-journal). Empty without one.
+inline std::string sqlite_journal_of(const std::string& path) {
+  for (const char* ending : {"-wal", "-journal"}) {
+    if (std::ifstream(path + ending).good()) return path + ending;
+  }
+  return {};
 }
 
 /// How many key frames the file itself holds, without a journal; -1 when it cannot say. Makes no
@@ -42,7 +46,8 @@ inline void require_journal(const std::string& path) {
   constexpr std::streamoff read_version = 19;  // in SQLite's header; 2 = there is a journal
   std::ifstream file(path, std::ios::binary);
   const bool expected = file.seekg(read_version) && file.get() == 2;
-  if (!expected || sqlite_has_journal(path) || sqlite_keyframes_in_file(path) != 0) return;
+  if (!expected || !sqlite_journal_of(path).empty()) return;
+  if (sqlite_keyframes_in_file(path) != 0) return;
   throw FormatError(path + ": it was not closed, and " + path +
                     "-wal, which holds what was written last, is missing: copy both files");
 }
