@@ -17,8 +17,9 @@ std::ostream& operator<<(std::ostream& out, const WarehouseFigures& figures) {
 }  // namespace
 
 TEST_CASE(
-    "in a warehouse of equal racks seven in ten of a second round are found, and at most one "
-    "in a hundred is wrong",
+    "in a warehouse of equal racks a second round is found and never wrong, and of aisles that "
+    "were "
+    "never mapped at most two in a hundred are taken for others",
     "[recognition][long]") {
   for (const double jitter : {0.03, 0.12}) {
     for (const bool gravity : {false, true}) {
@@ -33,11 +34,10 @@ TEST_CASE(
       std::cout << "warehouse, jitter " << jitter << " m" << (gravity ? ", gravity" : "")
                 << ": second round " << second << "; aisles that were never mapped " << other
                 << '\n';
-      CHECK(10 * second.correct >= 7 * second.look_ups);
-      CHECK(100 * second.wrong <= second.look_ups);
-      // Racks that are nowhere in the map are still taken for their like, as long as one of these
-      // leads by more than noise does; so this bounds what is, and is not what one would wish.
-      CHECK(100 * other.accepted() <= 30 * other.look_ups);
+      // Racks that differ by less than what is measured are told apart by their empty slots alone.
+      CHECK(100 * second.correct >= (jitter < 0.1 ? 35 : 90) * second.look_ups);
+      CHECK(second.wrong == 0);
+      CHECK(100 * other.accepted() <= 2 * other.look_ups);
       // Every refusal for another place names it.
       CHECK(second.told == second.rivalled);
       CHECK(other.told == other.rivalled);
