@@ -61,6 +61,7 @@
 #include <topobag/graph/gravity.hpp>
 #include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph.hpp>
+#include <topobag/graph/local_graph_options.hpp>
 #include <topobag/graph/object_track.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/graph/topology_weight.hpp>

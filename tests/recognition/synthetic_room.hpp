@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/bag/entry_info.hpp>
 #include <topobag/edges/knn_edges.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/sensing/node_noise.hpp>
@@ -56,4 +57,11 @@ inline Eigen::Isometry3d random_camera(std::mt19937& random) {
   const double a = radians(random), b = radians(random);
   return Eigen::Translation3d(x, y, z) * Eigen::AngleAxisd(a, Eigen::Vector3d::UnitX()) *
          Eigen::AngleAxisd(b, Eigen::Vector3d::UnitY());
+}
+
+/// Of a key frame that was taken there.
+inline topobag::EntryInfo standing_at(const Eigen::Isometry3d& T_world_camera) {
+  topobag::EntryInfo info;
+  info.T_world_camera = T_world_camera;
+  return info;
 }

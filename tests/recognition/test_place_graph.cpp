@@ -27,12 +27,6 @@ TopologyGraph<> half_of(const TopologyGraph<>& graph, std::size_t first) {
   return TopologyGraph<>(std::move(nodes));
 }
 
-EntryInfo standing_at(const Eigen::Isometry3d& T_world_camera) {
-  EntryInfo info;
-  info.T_world_camera = T_world_camera;
-  return info;
-}
-
 /// A bag that does not tell which cameras stand in a region.
 struct QueriedBag {
   using Graph = TopologyGraph<>;

@@ -8,20 +8,19 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/adaptors/detail/sqlite_catalog.hpp>
 #include <topobag/adaptors/detail/sqlite_connection.hpp>
 #include <topobag/adaptors/detail/sqlite_row.hpp>
 #include <topobag/adaptors/detail/sqlite_schema.hpp>
+#include <topobag/adaptors/detail/sqlite_session.hpp>
 #include <topobag/adaptors/detail/sqlite_statement.hpp>
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
-#include <topobag/bag/session_number.hpp>
 #include <topobag/error.hpp>
-#include <topobag/types/catalog_fingerprint.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ids.hpp>
-#include <topobag/types/utf8.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -73,7 +72,9 @@ class SqliteBag {
     detail::prepare_schema(connection_, options_.read_only);
     if (!options_.read_only)
       connection_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
-    agree_on_catalog();
+    if (options_.catalog) {
+      detail::agree_on_catalog(connection_, *options_.catalog, options_.read_only);
+    }
     read_entries();
   }
 
@@ -105,7 +106,7 @@ class SqliteBag {
     });
     std::uint32_t session = 0;
     change([&] {
-      session = note_session(name);
+      session = detail::note_session(connection_, name);
       for (Row& row : rows) {
         row.entry.info.session = session;
         put(detail::sqlite_insert, row);
@@ -143,7 +144,7 @@ class SqliteBag {
   /// name that is not UTF-8, InvalidId when the numbers are used up.
   std::uint32_t begin_session(const std::string& name) {
     std::uint32_t session = 0;
-    change([&] { session = note_session(name); });
+    change([&] { session = detail::note_session(connection_, name); });
     return session;
   }
 
@@ -193,20 +194,6 @@ class SqliteBag {
     detail::write_row(prepared(sql), row.entry, row.graph, options_.catalog);
   }
 
-  std::uint32_t note_session(const std::string& name) {
-    require_utf8(name, "the session's name");
-    const std::int64_t last =
-        detail::sqlite_number(connection_,
-                              "SELECT max(coalesce((SELECT max(id) FROM session), -1),"
-                              " coalesce((SELECT max(session) FROM keyframe), -1))");
-    const std::uint32_t session =
-        last < 0 ? 0 : next_session(detail::sqlite_session(static_cast<double>(last)));
-    detail::SqliteStatement(connection_, "INSERT INTO session(id, name) VALUES(?, ?)")
-        .bind(std::int64_t{session}, name)
-        .step();
-    return session;
-  }
-
   void require_new(KeyframeId id) const {
     if (!bag_.contains(id)) return;
     throw InvalidId(path() + ": key frame " + std::to_string(value(id)) +
@@ -219,28 +206,6 @@ class SqliteBag {
         sql == detail::sqlite_insert ? insert_ : update_;
     if (!statement) statement.emplace(connection_, sql);
     return *statement;
-  }
-
-  void agree_on_catalog() {
-    if (!options_.catalog) return;
-    const auto ours = static_cast<std::int64_t>(fingerprint(*options_.catalog));
-    detail::SqliteStatement stored(connection_, "SELECT value FROM meta WHERE key = 'catalog'");
-    if (stored.step()) {
-      if (stored.integer(0) == ours) return;
-      throw FormatError(path() +
-                        ": its class numbers mean other names than yours; open it with the catalog "
-                        "that it was made with");
-    }
-    if (options_.read_only) return;
-    detail::SqliteTransaction transaction(connection_);
-    detail::SqliteStatement(connection_, "INSERT INTO meta(key, value) VALUES('catalog', ?)")
-        .bind(ours)
-        .step();
-    detail::SqliteStatement insert(connection_, "INSERT INTO class(id, name) VALUES(?, ?)");
-    for (const ClassId id : options_.catalog->ids()) {
-      insert.bind(std::int64_t{value(id)}, options_.catalog->name(id)).step();
-    }
-    transaction.commit();
   }
 
   void read_entries() {

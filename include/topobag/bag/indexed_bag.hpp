@@ -14,6 +14,7 @@
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/detail/free_ids.hpp>
 #include <topobag/bag/detail/part_builder.hpp>
+#include <topobag/bag/detail/part_edits.hpp>
 #include <topobag/bag/merge_options.hpp>
 #include <topobag/bag/place_count.hpp>
 #include <topobag/bag/session_number.hpp>
@@ -75,7 +76,7 @@ class BasicIndexedBag {
                       " is in the bag already: use update");
     }
     detail::BagParts next = parts();
-    append(next, make_entry(id, graph, info));
+    detail::append(next, make_entry(id, graph, info), *similarity_);
     places_.add(id, info);
     publish(std::move(next));
   }
@@ -89,8 +90,8 @@ class BasicIndexedBag {
     detail::HeadBlock::Entry entry = make_entry(id, graph, info);
     detail::BagParts next = parts();
     const EntryInfo before = next.info(*place);
-    remove(next, *place);
-    append(next, std::move(entry));
+    detail::remove(next, *place, *similarity_);
+    detail::append(next, std::move(entry), *similarity_);
     places_.remove(id, before);
     places_.add(id, info);
     publish(std::move(next));
@@ -103,7 +104,7 @@ class BasicIndexedBag {
     if (!place) return false;
     detail::BagParts next = parts();
     const EntryInfo before = next.info(*place);
-    remove(next, *place);
+    detail::remove(next, *place, *similarity_);
     places_.remove(id, before);
     publish(std::move(next));
     return true;
@@ -123,7 +124,7 @@ class BasicIndexedBag {
     if (options.T_world_other) require_rigid(*options.T_world_other, "T_world_other");
     const detail::BagParts& theirs = other.parts_;
     std::map<KeyframeId, KeyframeId> new_ids = detail::free_ids(parts(), theirs);
-    detail::BagParts next = sealed(parts());
+    detail::BagParts next = detail::sealed(parts(), *similarity_);
     detail::PartBuilder<Similarity> builder(*similarity_);
     theirs.for_each([&](detail::EntryPlace place) {
       const detail::StoredEntry entry = theirs.entry(place);
@@ -210,52 +211,6 @@ class BasicIndexedBag {
                                [&](std::uint64_t, double weight) { total += weight; });
     entry.total = static_cast<float>(total);
     return entry;
-  }
-
-  void append(detail::BagParts& next, detail::HeadBlock::Entry entry) const {
-    if (next.head_size == detail::HeadBlock::capacity) next = sealed(std::move(next));
-    if (!next.head) next.head = std::make_shared<detail::HeadBlock>();
-    (*next.head)[next.head_size++] = std::move(entry);
-    ++next.live;
-  }
-
-  void remove(detail::BagParts& next, detail::EntryPlace place) const {
-    --next.live;
-    if (place.part == next.sealed->size()) {
-      next.dead_in_head.set(place.slot);
-      return;
-    }
-    auto parts = std::make_shared<detail::BagParts::Sealed>(*next.sealed);
-    detail::SealedPart& part = (*parts)[place.part];
-    auto dead = part.dead ? std::make_shared<detail::DeadSlots>(*part.dead)
-                          : std::make_shared<detail::DeadSlots>(part.segment->size());
-    dead->insert(place.slot);
-    part.dead = std::move(dead);
-    if (part.live() == 0) {
-      parts->erase(parts->begin() + static_cast<std::ptrdiff_t>(place.part));
-    } else if (2 * part.dead->size() > part.segment->size()) {
-      part = detail::merged<Similarity>({part}, 1, *similarity_);
-    }
-    next.sealed = std::move(parts);
-  }
-
-  /// The same entries with an empty head.
-  detail::BagParts sealed(detail::BagParts parts) const {
-    auto segments = std::make_shared<detail::BagParts::Sealed>(*parts.sealed);
-    detail::PartBuilder<Similarity> builder(*similarity_);
-    for (std::size_t slot = 0; slot < parts.head_size; ++slot) {
-      if (!parts.dead_in_head[slot]) builder.add(parts, {segments->size(), slot});
-    }
-    for (detail::SealedPart& part : builder.finish()) segments->push_back(std::move(part));
-    while (const std::size_t count = detail::ripe_for_merge(*segments)) {
-      detail::SealedPart part = detail::merged(*segments, count, *similarity_);
-      segments->resize(segments->size() - count);
-      segments->push_back(std::move(part));
-    }
-    detail::BagParts next;
-    next.sealed = std::move(segments);
-    next.live = parts.live;
-    return next;
   }
 
   std::shared_ptr<const Similarity> similarity_;

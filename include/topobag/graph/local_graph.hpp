@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,30 +13,18 @@
 
 #include <topobag/edges/knn_edges.hpp>
 #include <topobag/error.hpp>
+#include <topobag/graph/detail/object_tracks.hpp>
 #include <topobag/graph/gravity.hpp>
+#include <topobag/graph/local_graph_options.hpp>
 #include <topobag/graph/object_track.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/graph/view.hpp>
 #include <topobag/sensing/node_noise.hpp>
-#include <topobag/sensing/same_object.hpp>
 #include <topobag/types/rigid_motion.hpp>
 #include <topobag/types/stamp.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// Over how long nodes are fused, and which are one object.
-struct LocalGraphOptions {
-  double window = 3.0;            ///< s; views older than the newest by more are forgotten
-  double gate = 3.0;              ///< σ within which a sighting joins an object of its class
-  double other_class_gate = 1.0;  ///< σ for another class: detectors waver between tv and laptop
-  SameObject merge{0.3};          ///< when two objects of whatever class are made one
-  double merge_gate = 2.0;        ///< σ for two of one class that no view shows together
-  double correlation = 0.5;    ///< share of a sighting's, or a gravity's, error that others repeat
-  double image_margin = 20.0;  ///< px from the border within which nothing need show
-  double max_depth = 8.0;      ///< m beyond which nothing need show
-  double min_existence = 0.2;  ///< share of the views due to show an object that must have
-};
 
 /// Fuses the nodes of the last key frames into one flicker-proof graph in the newest key frame's
 /// frame.
@@ -56,7 +42,7 @@ class LocalGraph {
   using Pose = Eigen::Transform<Scalar, 3, Eigen::Isometry>;
 
   /// Without a key frame yet.
-  explicit LocalGraph(LocalGraphOptions options = {}) : options_(options) {}
+  explicit LocalGraph(LocalGraphOptions options = {}) : options_(options), tracks_(options) {}
 
   /// Adds the nodes of the next key frame. Nodes without a position are left out.
   /// @param stamp               s, not before the last one
@@ -87,9 +73,7 @@ class LocalGraph {
     forget_before(stamp - options_.window);
     view.T_graph_camera.setIdentity();
     frames_.push_back({stamp, next_view_, std::move(view), shown.gravity()});
-    associate(sighted);
-    merge_coincident();
-    ++next_view_;
+    tracks_.add(next_view_++, sighted);
   }
 
   /// The fused graph. `view_count()` of its views come with it. O(objects · views² + builder).
@@ -106,7 +90,7 @@ class LocalGraph {
   std::vector<std::pair<ObjectId, Node>> objects() const {
     std::vector<std::pair<ObjectId, Node>> kept;
     for (const ObjectTrack<Scalar>& track : tracks_) {
-      Node node = track.fused(static_cast<Scalar>(options_.correlation));
+      Node node = tracks_.fused(track);
       const auto [seen, expected] = evidence(track, *node.position);
       node.existence = static_cast<Scalar>(seen) / static_cast<Scalar>(expected);
       if (static_cast<double>(node.existence) < options_.min_existence) continue;
@@ -145,27 +129,13 @@ class LocalGraph {
   /// Carries everything into the newest camera's frame.
   void move_to_frame(const Pose& T_new_old) {
     for (Frame& frame : frames_) frame.view.T_graph_camera = T_new_old * frame.view.T_graph_camera;
-    const auto R = T_new_old.linear();
-    for (ObjectTrack<Scalar>& track : tracks_) {
-      for (auto& sighting : track.sightings) {
-        sighting.node.position = T_new_old * *sighting.node.position;
-        sighting.node.covariance = (R * sighting.node.covariance * R.transpose()).eval();
-      }
-    }
+    tracks_.move(T_new_old);
   }
 
   void forget_before(double stamp) {
     while (!frames_.empty() && frames_.front().stamp < stamp) frames_.pop_front();
     const std::size_t oldest = frames_.empty() ? next_view_ : frames_.front().number;
-    for (ObjectTrack<Scalar>& track : tracks_) {
-      auto& s = track.sightings;
-      s.erase(std::remove_if(s.begin(), s.end(),
-                             [&](const auto& sighting) { return sighting.view < oldest; }),
-              s.end());
-    }
-    tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(),
-                                 [](const auto& track) { return track.sightings.empty(); }),
-                  tracks_.end());
+    tracks_.forget_before(oldest);
   }
 
   /// The nodes with a position; one whose covariance is not modelled gets the default noise.
@@ -177,78 +147,6 @@ class LocalGraph {
       kept.back().covariance = position_covariance(node).template cast<Scalar>();
     }
     return kept;
-  }
-
-  /// The estimate of each track.
-  std::vector<Node> fused() const {
-    std::vector<Node> estimates;
-    for (const ObjectTrack<Scalar>& track : tracks_) {
-      estimates.push_back(track.fused(static_cast<Scalar>(options_.correlation)));
-    }
-    return estimates;
-  }
-
-  /// Gives each node to the nearest object within its gate, nearest pairs first; the rest found new
-  /// objects.
-  void associate(const std::vector<Node>& nodes) {
-    const std::vector<Node> estimates = fused();
-    using Offer = std::tuple<Scalar, std::size_t, std::size_t>;  // deviation in gates, node, track
-    std::vector<Offer> offers;
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      for (std::size_t t = 0; t < estimates.size(); ++t) {
-        const double gate =
-            nodes[n].label == estimates[t].label ? options_.gate : options_.other_class_gate;
-        const Scalar deviation =
-            deviations_apart(nodes[n], estimates[t]) / static_cast<Scalar>(gate);
-        if (deviation <= Scalar(1)) offers.emplace_back(deviation, n, t);
-      }
-    }
-    std::sort(offers.begin(), offers.end());
-    std::vector<bool> given(nodes.size(), false), taken(estimates.size(), false);
-    for (const auto& [deviation, n, t] : offers) {
-      if (given[n]) continue;
-      // A second box well inside the gate of an object seen in this frame is a duplicate.
-      if (taken[t] && deviation > Scalar(0.33)) continue;
-      if (!taken[t]) tracks_[t].sightings.push_back({next_view_, nodes[n]});
-      given[n] = taken[t] = true;
-    }
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      if (given[n]) continue;
-      tracks_.push_back({ObjectId{next_id_++}, {{next_view_, nodes[n]}}});
-    }
-  }
-
-  /// Joins objects that are one: two boxes on one thing, tracks that split. The older id stays.
-  void merge_coincident() {
-    std::vector<Node> estimates = fused();
-    for (std::size_t a = 0; a < tracks_.size(); ++a) {
-      for (std::size_t b = a + 1; b < tracks_.size();) {
-        if (!coincide(tracks_[a], estimates[a], tracks_[b], estimates[b])) {
-          ++b;
-          continue;
-        }
-        auto& into = tracks_[a].sightings;
-        into.insert(into.end(), tracks_[b].sightings.begin(), tracks_[b].sightings.end());
-        std::stable_sort(into.begin(), into.end(),
-                         [](const auto& l, const auto& r) { return l.view < r.view; });
-        estimates[a] = tracks_[a].fused(static_cast<Scalar>(options_.correlation));
-        tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(b));
-        estimates.erase(estimates.begin() + static_cast<std::ptrdiff_t>(b));
-      }
-    }
-  }
-
-  bool coincide(const ObjectTrack<Scalar>& track_a, const Node& a,
-                const ObjectTrack<Scalar>& track_b, const Node& b) const {
-    if (options_.merge(a, b)) return true;
-    if (a.label != b.label) return false;
-    if (!(static_cast<double>(deviations_apart(a, b)) < options_.merge_gate)) return false;
-    for (const auto& s : track_a.sightings) {
-      for (const auto& t : track_b.sightings) {
-        if (s.view == t.view) return false;
-      }
-    }
-    return true;
   }
 
   /// Views that saw the object, and views that saw it or should have.
@@ -267,10 +165,9 @@ class LocalGraph {
   }
 
   LocalGraphOptions options_;
-  std::deque<Frame> frames_;                 ///< oldest first
-  std::vector<ObjectTrack<Scalar>> tracks_;  ///< ascending id
+  std::deque<Frame> frames_;  ///< oldest first
+  detail::ObjectTracks<Scalar> tracks_;
   std::size_t next_view_ = 0;
-  std::uint64_t next_id_ = 0;
 };
 
 }  // namespace v0

@@ -78,7 +78,7 @@ Calibration calibrate(const Relocalizer<Bag>& relocalizer, const std::vector<Key
     const auto graph = relocalizer.map().find(id);
     if (!graph || !graph->is_matchable()) continue;
     usable.push_back(id);
-    const auto known = detail::info_of(relocalizer.map(), id, 0);
+    const auto known = detail::stored_info(relocalizer.map(), id, 0);
     if (known && known->T_world_camera) {
       const Recognition found = look_up(*graph, [&](KeyframeId entry, const EntryInfo& info) {
         return !options.by_pose.is_neighbor(id, *known, entry, info);

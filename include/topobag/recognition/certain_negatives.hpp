@@ -62,7 +62,7 @@ namespace detail {
 /// The entry's pose in the world, where the bag knows it.
 template <typename Bag>
 std::optional<Eigen::Isometry3d> known_pose(const Bag& bag, KeyframeId id) {
-  const auto info = info_of(bag, id, 0);
+  const auto info = stored_info(bag, id, 0);
   return info ? info->T_world_camera : std::nullopt;
 }
 

@@ -14,23 +14,13 @@
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/match_graphs.hpp>
-#include <topobag/recognition/detail/stored_graph.hpp>
+#include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/place_options.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
 inline namespace v0 {
 namespace detail {
-
-/// What the bag knows of an entry; nothing when the bag has no such call.
-template <typename Bag>
-auto info_of(const Bag& bag, KeyframeId id, int) -> decltype(bag.info(id)) {
-  return bag.info(id);
-}
-template <typename Bag>
-std::optional<EntryInfo> info_of(const Bag&, KeyframeId, long) {
-  return std::nullopt;
-}
 
 /// A key frame of the map beside the candidate, and where its camera stood.
 template <typename Bag>
@@ -101,7 +91,7 @@ std::vector<Neighbor<Bag>> neighbors_by_id(const Bag& bag, KeyframeId id, const 
   for (std::size_t step = options.max_neighbors; step > 0; --step) {
     for (const bool before : {true, false}) {
       const KeyframeId near{before ? value(id) - step : value(id) + step};
-      const auto there = info_of(bag, near, 0);
+      const auto there = stored_info(bag, near, 0);
       if (!there || there->session != info.session || !retrieval.admits(near, *there)) continue;
       auto graph = stored_graph(bag, near, 0);
       if (!graph) continue;
@@ -135,7 +125,7 @@ typename Bag::Graph place_graph(const Bag& bag, KeyframeId id, const typename Ba
   using Scalar = typename Bag::Graph::Scalar;
   using Pose = typename LocalGraph<Scalar>::Pose;
   std::vector<detail::Neighbor<Bag>> neighbors;
-  if (const auto info = detail::info_of(bag, id, 0)) {
+  if (const auto info = detail::stored_info(bag, id, 0)) {
     neighbors =
         info->T_world_camera
             ? detail::neighbors_by_pose(bag, id, *info->T_world_camera, T_candidate_query, query,

@@ -13,7 +13,7 @@
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
-#include <topobag/recognition/detail/stored_graph.hpp>
+#include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 

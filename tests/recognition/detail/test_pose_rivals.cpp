@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <topobag/recognition/detail/pose_rivals.hpp>
-#include <topobag/recognition/relocalizer.hpp>
 
 #include "catch.hpp"
 #include "recognition/synthetic_room.hpp"
@@ -24,12 +23,6 @@ RelativePose matching_first(std::size_t objects, const Eigen::Isometry3d& T_cand
     pose.inliers.push_back({node_index(i), node_index(i)});
   }
   return pose;
-}
-
-EntryInfo standing(const Eigen::Isometry3d& T_world_camera) {
-  EntryInfo info;
-  info.T_world_camera = T_world_camera;
-  return info;
 }
 
 }  // namespace
@@ -90,25 +83,4 @@ TEST_CASE("the lead asked for grows with how far the rival is believed, and with
   CHECK(detail::lead_to_ask(32, 2.0, 2.0, options) - options.min_lead == Approx(2.0 * whole));
   // Where no score is asked for, every rival is believed.
   CHECK(detail::lead_to_ask(8, -1.0, 0.0, options) - options.min_lead == Approx(whole));
-}
-
-TEST_CASE("a place speaks against its key frame by no more than the option says", "[recognition]") {
-  const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
-  const TopologyGraph<> graph = SyntheticRoom(7, 6, 2).seen_from(here);
-  for (const double most : {0.1, 0.5}) {
-    RecognitionOptions options;
-    options.place.max_contradiction = most;
-    Relocalizer<> relocalizer(options);
-    relocalizer.map().add(KeyframeId{0}, graph, standing(here));
-    // Clutter of the same classes, seen by others from the same spot.
-    for (unsigned other = 1; other < 4; ++other) {
-      relocalizer.map().add(KeyframeId{other}, SyntheticRoom(20 + other, 30, 2).seen_from(here),
-                            standing(here));
-    }
-    const Recognition found = relocalizer.localize(graph);
-    REQUIRE_FALSE(found.candidates.empty());
-    const CandidateReport& best = found.candidates.front();
-    REQUIRE(best.id == KeyframeId{0});
-    CHECK(*best.place_support == Approx(best.pose->support() - most));
-  }
 }

@@ -13,7 +13,7 @@
 #include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
-#include <topobag/recognition/detail/stored_graph.hpp>
+#include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/place_graph.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
@@ -71,7 +71,7 @@ std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, const Reports& rep
   for (PlaceHypothesis& hypothesis : all) {
     if (kept.size() == options.max_rivals) break;
     const KeyframeId id = reports[hypothesis.report].id;
-    hypothesis.info = info_of(bag, id, 0);
+    hypothesis.info = stored_info(bag, id, 0);
     const bool known = std::any_of(kept.begin(), kept.end(), [&](const PlaceHypothesis& better) {
       return same_place(better, reports[better.report].id, hypothesis, id, options);
     });

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include <topobag/bag/entry_info.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -18,6 +19,16 @@ auto stored_graph(const Bag& bag, KeyframeId id, int) -> decltype(bag.peek(id)) 
 template <typename Bag>
 std::optional<typename Bag::Graph> stored_graph(const Bag& bag, KeyframeId id, long) {
   return bag.find(id);
+}
+
+/// What the bag knows of the key frame beside its graph; nothing when the bag has no such call.
+template <typename Bag>
+auto stored_info(const Bag& bag, KeyframeId id, int) -> decltype(bag.info(id)) {
+  return bag.info(id);
+}
+template <typename Bag>
+std::optional<EntryInfo> stored_info(const Bag&, KeyframeId, long) {
+  return std::nullopt;
 }
 
 }  // namespace detail

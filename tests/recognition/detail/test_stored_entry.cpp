@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <topobag/recognition/detail/stored_graph.hpp>
+#include <topobag/recognition/detail/stored_entry.hpp>
 
 #include <random>
 #include <type_traits>

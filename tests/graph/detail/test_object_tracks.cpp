@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <iterator>
+#include <random>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/graph/detail/object_tracks.hpp>
+
+#include "catch.hpp"
+#include "matching/layouts.hpp"
+
+using namespace topobag;
+
+namespace {
+
+std::vector<Eigen::Vector3d> fused_positions(const detail::ObjectTracks<double>& tracks) {
+  std::vector<Eigen::Vector3d> positions;
+  for (const auto& track : tracks) positions.push_back(*tracks.fused(track).position);
+  return positions;
+}
+
+}  // namespace
+
+TEST_CASE("tracks that are moved lie where their objects are moved", "[graph]") {
+  std::mt19937 random(81);
+  for (int round = 0; round < 20; ++round) {
+    detail::ObjectTracks<double> tracks{LocalGraphOptions{}};
+    for (std::size_t view = 0; view < 3; ++view) {
+      tracks.add(view, {object_at(1, {0, 0, 3}), object_at(2, {1, 0, 3}), object_at(3, {0, 1, 4})});
+    }
+    const auto before = fused_positions(tracks);
+    REQUIRE(before.size() == 3);
+    const Eigen::Isometry3d T = random_motion(random, 2.0);
+    tracks.move(T);
+    const auto after = fused_positions(tracks);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(after[i].isApprox(T * before[i], 1e-9));
+  }
+}
+
+TEST_CASE("tracks keep the sightings from a view on, and go with their last one", "[graph]") {
+  detail::ObjectTracks<double> tracks{LocalGraphOptions{}};
+  tracks.add(0, {object_at(1, {0, 0, 3}), object_at(2, {1, 0, 3})});
+  tracks.add(1, {object_at(1, {0, 0, 3})});
+  tracks.forget_before(1);
+  REQUIRE(std::distance(tracks.begin(), tracks.end()) == 1);
+  CHECK(tracks.begin()->sightings.size() == 1);
+  tracks.forget_before(2);
+  CHECK(tracks.begin() == tracks.end());
+}
