@@ -23,7 +23,7 @@ inline namespace v0 {
 struct DecisionOptions {
   double false_accept_rate = 1e-3;  ///< share of look-ups of places that the map does not hold
   double min_lead = 1.0;            ///< in support, over every pose that puts the query elsewhere
-  double lead_deviations = 3.0;  ///< σ of the noise of both, more, over a place believed by itself
+  double lead_deviations = 3.5;  ///< σ of the noise of both, more, over a place believed by itself
   double surplus = 1.25;  ///< decades by which 10^−score exceeds the rate of chance, as measured
 
   std::optional<Calibration> calibration{};  ///< learnt in this very map: says the score to ask for

@@ -24,7 +24,7 @@ struct PlaceOptions {
   double turn_weight = 1.0;  ///< m that a turn of one rad counts for in "nearest"
   std::size_t max_neighbors = 3;   ///< without poses: ids before and after the candidate's
   double max_contradiction = 4.0;  ///< decades by which a place may speak against its key frame:
-                                   ///< one in ten thousand is put together wrongly, or has changed
+                                   ///< one in a thousand is put together wrongly, or has changed
   double margin = 0.5;         ///< m from an object of the query that its place reaches at least
   double max_depth = 8.0;      ///< m; as far as the query's cameras look
   LocalGraphOptions fusing{};  ///< its window is not used
