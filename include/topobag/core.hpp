@@ -14,6 +14,7 @@
 #include <topobag/bag/indexed_bag.hpp>
 #include <topobag/bag/memory_usage.hpp>
 #include <topobag/bag/merge_options.hpp>
+#include <topobag/bag/place_contents.hpp>
 #include <topobag/bag/place_count.hpp>
 #include <topobag/bag/query.hpp>
 #include <topobag/bag/savable_graph.hpp>
@@ -76,6 +77,7 @@
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/learn_confusion.hpp>
+#include <topobag/matching/learn_sizes.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/matching/match_nodes.hpp>
 #include <topobag/matching/match_options.hpp>
@@ -85,6 +87,8 @@
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/matching/shared_vertical.hpp>
+#include <topobag/matching/size_prior.hpp>
+#include <topobag/matching/usual_size_spreads.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/calibration.hpp>

@@ -154,34 +154,6 @@ TEST_CASE("the Bayes factor, worked out by hand", "[matching]") {
         Approx(std::log10(level_factor)));
 }
 
-TEST_CASE("the size factor, worked out by hand", "[matching]") {
-  const ChanceModel model;  // deviations 0.15 and 0.45, outliers 0.1
-  CHECK(model.log10_size_factor(0.3, 0.3) == Approx(std::log10(0.1 + 0.9 * 3.0)));
-  // One side is e^0.3 times the other: exp(−½ · 0.09 · (44.4444 − 4.93827)) = 0.169013.
-  const double factor = 0.1 + 0.9 * 3.0 * 0.169013;
-  CHECK(model.log10_size_factor(0.3, 0.3 * std::exp(0.3)) == Approx(std::log10(factor)));
-  CHECK(model.log10_size_factor(0.3 * std::exp(0.3), 0.3) == Approx(std::log10(factor)));
-  CHECK(model.log10_size_factor(0.01, 10.0) == Approx(std::log10(0.1)));
-}
-
-TEST_CASE("an unknown size tells nothing", "[matching]") {
-  CHECK(ChanceModel{}.log10_size_factor(0.0, 0.3) == 0.0);
-  CHECK(ChanceModel{}.log10_size_factor(0.3, 0.0) == 0.0);
-}
-
-TEST_CASE("the mean size factor of chance pairs is one: a proper Bayes factor", "[matching]") {
-  const ChanceModel model;
-  double mean = 0.0;
-  const double step = 0.001;
-  for (double ratio = -4.0; ratio < 4.0; ratio += step) {
-    const double deviations = ratio / model.size_spread;
-    const double density = std::exp(-0.5 * deviations * deviations) /
-                           (model.size_spread * std::sqrt(2.0 * std::acos(-1.0)));
-    mean += step * density * std::pow(10.0, model.log10_size_factor(1.0, std::exp(ratio)));
-  }
-  CHECK(mean == Approx(1.0).epsilon(1e-4));
-}
-
 TEST_CASE("width and height speak apart: a turned box is another object", "[matching]") {
   const TopologyGraph<> graph = with_classes({1, 2, 3, 4});
   auto nodes = graph.nodes();

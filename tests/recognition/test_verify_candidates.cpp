@@ -164,9 +164,9 @@ RelativePose pose_with(double score, bool degenerate, const Eigen::Isometry3d& T
 Verdict verdict_on(std::vector<RelativePose> poses) {
   DecisionOptions options;
   options.min_score = 1.0;
-  detail::prefer_determined(poses, *options.min_score);
+  detail::prefer_determined(poses, [&](const auto&) { return *options.min_score; });
   CandidateReport report;
-  report.threshold = report.believable = *options.min_score;
+  report.threshold = *options.min_score;
   report.pose = poses.front();
   report.other_poses.assign(poses.begin() + 1, poses.end());
   return detail::judge_candidate(report, TopologyGraph<>{}, options);

@@ -89,6 +89,10 @@ class BagOfTopologyGraphs {
   bool empty() const noexcept { return entries_.empty(); }
   /// Different places among the entries. O(1).
   std::size_t places() const noexcept { return places_.size(); }
+  /// The most of them that can hold all of `objects`. O(classes²).
+  std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
+    return places_.contents().holding(objects, groups, places());
+  }
 
   /// The key frame's graph, or nothing.
   std::optional<Graph> find(KeyframeId id) const {
@@ -196,14 +200,19 @@ class BagOfTopologyGraphs {
 
   /// Makes an entry known to everything that finds entries.
   void place(KeyframeId id, Entry& entry) {
-    places_.add(id, entry.info);
+    places_.add(id, entry.info, objects_of(entry.graph));
     cameras_.add(id, entry.info);
     if constexpr (indexed) entry.key = index_.add(id, similarity_.descriptor(entry.graph));
   }
   void displace(KeyframeId id, const Entry& entry) {
-    places_.remove(id, entry.info);
+    places_.remove(id, entry.info, objects_of(entry.graph));
     cameras_.remove(id, entry.info);
     if constexpr (indexed) index_.remove(entry.key, similarity_.descriptor(entry.graph));
+  }
+
+  static ClassCounts objects_of(const Graph& graph) {
+    if constexpr (detail::is_topology_graph_v<Graph>) return class_counts(graph.nodes());
+    return {};
   }
 
   template <typename Key>

@@ -37,6 +37,10 @@ class BasicBagView {
   bool empty() const noexcept { return parts_.live == 0; }
   /// Different places among the entries. O(1).
   std::size_t places() const noexcept { return parts_.places; }
+  /// The most of them that can hold all of `objects`. O(classes²).
+  std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
+    return parts_.contents->holding(objects, groups, parts_.places);
+  }
   bool contains(KeyframeId id) const { return parts_.find(id).has_value(); }
 
   /// The key frame's graph as it is stored, or nothing.

@@ -58,6 +58,7 @@ class BasicIndexedBag {
     similarity_ = copy.similarity_;
     views_ = copy.views_;
     places_ = copy.places_;
+    published_.reset();
     publish(copy.parts());
     return *this;
   }
@@ -77,7 +78,7 @@ class BasicIndexedBag {
     }
     detail::BagParts next = parts();
     detail::append(next, make_entry(id, graph, info), *similarity_);
-    places_.add(id, info);
+    places_.add(id, info, class_counts(graph.nodes()));
     publish(std::move(next));
   }
 
@@ -89,11 +90,11 @@ class BasicIndexedBag {
     }
     detail::HeadBlock::Entry entry = make_entry(id, graph, info);
     detail::BagParts next = parts();
-    const EntryInfo before = next.info(*place);
+    const auto [info_before, objects_before] = placed(next, *place);
     detail::remove(next, *place, *similarity_);
     detail::append(next, std::move(entry), *similarity_);
-    places_.remove(id, before);
-    places_.add(id, info);
+    places_.remove(id, info_before, objects_before);
+    places_.add(id, info, class_counts(graph.nodes()));
     publish(std::move(next));
   }
 
@@ -103,9 +104,9 @@ class BasicIndexedBag {
     const auto place = parts().find(id);
     if (!place) return false;
     detail::BagParts next = parts();
-    const EntryInfo before = next.info(*place);
+    const auto [info, objects] = placed(next, *place);
     detail::remove(next, *place, *similarity_);
-    places_.remove(id, before);
+    places_.remove(id, info, objects);
     publish(std::move(next));
     return true;
   }
@@ -166,6 +167,10 @@ class BasicIndexedBag {
   bool empty() const { return view()->empty(); }
   /// Different places among the entries. O(1).
   std::size_t places() const { return view()->places(); }
+  /// The most of them that can hold all of `objects`. O(classes²).
+  std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
+    return view()->places_holding(objects, groups);
+  }
   bool contains(KeyframeId id) const { return view()->contains(id); }
   std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }
   std::optional<EntryInfo> info(KeyframeId id) const { return view()->info(id); }
@@ -185,12 +190,26 @@ class BasicIndexedBag {
   /// Counts the places of `parts` anew. O(n log places).
   void recount(const detail::BagParts& parts) {
     places_.clear();
-    parts.for_each(
-        [&](detail::EntryPlace place) { places_.add(parts.entry(place).id, parts.info(place)); });
+    parts.for_each([&](detail::EntryPlace place) {
+      const auto [info, objects] = placed(parts, place);
+      places_.add(parts.entry(place).id, info, objects);
+    });
+  }
+
+  /// What says in which place an entry is, and what it holds.
+  std::pair<EntryInfo, ClassCounts> placed(const detail::BagParts& parts,
+                                           detail::EntryPlace place) {
+    return {parts.info(place), class_counts(scan_(parts.entry(place).graph))};
   }
 
   void publish(detail::BagParts parts) {
     parts.places = places_.size();
+    const std::uint64_t revision = places_.contents().revision();
+    if (published_ != revision) {
+      contents_ = std::make_shared<const PlaceContents>(places_.contents());
+    }
+    published_ = revision;
+    parts.contents = contents_;
     auto next = std::make_shared<const View>(similarity_, std::move(parts));
     const std::lock_guard<std::mutex> lock(mutex_);
     view_.swap(next);  // the old one goes when the lock is free again
@@ -217,6 +236,8 @@ class BasicIndexedBag {
   ViewSection views_;
   detail::NodeScan scan_;  ///< the writer's
   PlaceCount places_;      ///< the writer's
+  std::shared_ptr<const PlaceContents> contents_;  ///< of `places_` as last published
+  std::optional<std::uint64_t> published_;         ///< their revision then
   mutable std::mutex mutex_;
   std::shared_ptr<const View> view_;  ///< replaced under `mutex_`
 };

@@ -8,13 +8,15 @@
 #include <tuple>
 
 #include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/place_contents.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
 /// How many different places a map holds: key frames of one spot are one place, however many they
-/// are. A look-up asks them all, so that its chance of a false match grows with them.
+/// are. A look-up asks them all, so that its chance of a false match grows with them; more exactly,
+/// with those that hold objects like the matched ones, for no other could have given the match.
 ///
 /// Places are the cells of a grid of `cell` m that hold a camera. Key frames without a pose, of
 /// which nothing tells how far apart they are, count by their ids: those of one session in one run
@@ -25,24 +27,61 @@ class PlaceCount {
   static constexpr double cell = 3.0;                 ///< m, about as far as a view has objects
   static constexpr std::uint64_t ids_per_place = 30;  ///< key frames
 
-  /// Counts an entry. O(log places).
-  void add(KeyframeId id, const EntryInfo& info) { ++entries_[place_of(id, info)]; }
-
-  /// Takes it out again. Precondition: it was added with the same id and info. O(log places).
-  void remove(KeyframeId id, const EntryInfo& info) {
-    const auto place = entries_.find(place_of(id, info));
-    if (--place->second == 0) entries_.erase(place);
+  /// Counts an entry. O(log places + classes²).
+  /// @param objects  that its graph holds; a place holds as many of a class as the richest of them
+  void add(KeyframeId id, const EntryInfo& info, const ClassCounts& objects = {}) {
+    Place& place = places_[key_of(id, info)];
+    ++place.entries;
+    for (const auto& [label, count] : objects) {
+      for (std::size_t n = place.most(label) + 1; n <= count; ++n) contents_.add(label, n);
+      if (place.most(label) == 0) {
+        for (const auto& [other, counts] : place.counts) contents_.add(label, other);
+      }
+      ++place.counts[label][count];
+    }
   }
 
-  void clear() noexcept { entries_.clear(); }
+  /// Takes it out again. Precondition: it was added with the same arguments. O(log places +
+  /// classes²).
+  void remove(KeyframeId id, const EntryInfo& info, const ClassCounts& objects = {}) {
+    const auto at = places_.find(key_of(id, info));
+    Place& place = at->second;
+    for (const auto& [label, count] : objects) {
+      auto& counts = place.counts[label];
+      if (--counts[count] == 0) counts.erase(count);
+      if (counts.empty()) {
+        place.counts.erase(label);
+        for (const auto& [other, of_other] : place.counts) contents_.remove(label, other);
+      }
+      for (std::size_t n = place.most(label) + 1; n <= count; ++n) contents_.remove(label, n);
+    }
+    if (--place.entries == 0) places_.erase(at);
+  }
+
+  void clear() noexcept {
+    places_.clear();
+    contents_.clear();
+  }
 
   /// Places with an entry.
-  std::size_t size() const noexcept { return entries_.size(); }
+  std::size_t size() const noexcept { return places_.size(); }
+
+  /// What they hold.
+  const PlaceContents& contents() const noexcept { return contents_; }
 
  private:
-  using Place = std::tuple<bool, std::int64_t, std::int64_t, std::int64_t>;
+  using Key = std::tuple<bool, std::int64_t, std::int64_t, std::int64_t>;
+  struct Place {
+    std::size_t entries = 0;
+    std::map<ClassId, std::map<std::size_t, std::size_t>> counts;  ///< entries that hold so many
 
-  static Place place_of(KeyframeId id, const EntryInfo& info) {
+    std::size_t most(ClassId label) const {
+      const auto of_label = counts.find(label);
+      return of_label == counts.end() ? 0 : of_label->second.rbegin()->first;
+    }
+  };
+
+  static Key key_of(KeyframeId id, const EntryInfo& info) {
     if (!info.T_world_camera) {
       return {false, info.session, static_cast<std::int64_t>(value(id) / ids_per_place), 0};
     }
@@ -55,7 +94,8 @@ class PlaceCount {
     return {true, cell_of(at.x()), cell_of(at.y()), cell_of(at.z())};
   }
 
-  std::map<Place, std::size_t> entries_;
+  std::map<Key, Place> places_;
+  PlaceContents contents_;
 };
 
 }  // namespace v0

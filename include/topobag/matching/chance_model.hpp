@@ -21,6 +21,7 @@
 #include <topobag/matching/detail/slab.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/shared_vertical.hpp>
+#include <topobag/matching/size_prior.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -42,16 +43,13 @@ inline namespace v0 {
 /// matched objects, and chance, too, may tilt it as it likes: three objects then earn nothing by
 /// their heights. (Strewn through space, rooms with nothing in common reached odds of 10⁶ to one.)
 ///
-/// The widths and the heights of the paired objects speak in the same way: of one object seen twice
-/// they are nearly equal, of two objects of a class they are not; on real detections the two sides
-/// err apart (their errors correlate by 0.1 to 0.2).
+/// The widths and the heights of the paired objects speak as well (`SizePrior`); on real detections
+/// the two sides err apart (their errors correlate by 0.1 to 0.2).
 struct ChanceModel {
   double fill = 1.5;  ///< area that chance fills, in rectangles of the matched objects' scatter
   double min_extent = 0.10;      ///< m, of each of its sides
   double height_spread = 0.15;   ///< m; σ of the heights at which objects of one class stand
-  double size_deviation = 0.15;  ///< of the logarithm of one object's width or height, seen twice
-  double size_spread = 0.45;     ///< of the same between two objects of one class
-  double size_outliers = 0.10;   ///< share of the sides that tell nothing: cut or misread boxes
+  SizePrior sizes{};             ///< how sizes of one class differ
   double relabeling = 0.45;      ///< −log10 P of the label of a pair of two classes of one group
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's
@@ -71,31 +69,17 @@ struct ChanceModel {
     if (pairs.size() < (vertical ? 2U : 3U)) return 0.0;
     double significance =
         log10_bayes_factor(points, pose, vertical) - log10_ways(candidate, query, pairs, groups);
+    SizeEvidence sizes_so_far(sizes);
     for (const Correspondence& pair : pairs) {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
       if (p.label != q.label) {
         significance -= confusion ? confusion->cost(p.label, q.label) : relabeling;
       }
-      for (Eigen::Index side = 0; side < 2; ++side) {
-        significance +=
-            log10_size_factor(static_cast<double>(p.size(side)), static_cast<double>(q.size(side)));
-      }
+      significance += sizes_so_far.log10_factor(p.label, p.size, q.size);
     }
     // Not so where rounding leaves the covariance of a pose, or of a pair, without a root.
     return std::isfinite(significance) ? significance : std::numeric_limits<double>::lowest();
-  }
-
-  /// log10 P(ratio of two widths, or heights | one object) / P(ratio | two objects of a class).
-  /// 0 where one is unknown (0).
-  double log10_size_factor(double size_a, double size_b) const {
-    if (!(size_a > 0.0 && size_b > 0.0)) return 0.0;
-    const double ratio = std::log(size_a / size_b);
-    const double precision_gain =
-        1.0 / (size_deviation * size_deviation) - 1.0 / (size_spread * size_spread);
-    const double factor =
-        size_spread / size_deviation * std::exp(-0.5 * ratio * ratio * precision_gain);
-    return std::log10(size_outliers + (1.0 - size_outliers) * factor);
   }
 
   /// log10 P(places of the query objects | pose unknown, same place) / P(places | chance).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ids.hpp>
@@ -30,6 +31,17 @@ class ClassGroups {
   ClassId group(ClassId label) const {
     const auto it = groups_.find(label);
     return it == groups_.end() ? label : it->second;
+  }
+
+  /// The classes of the group that holds `label`, ascending. O(classes).
+  std::vector<ClassId> members(ClassId label) const {
+    const ClassId of = group(label);
+    std::vector<ClassId> found;
+    for (const auto& [other, of_other] : groups_) {
+      if (of_other == of) found.push_back(other);
+    }
+    if (found.empty()) found.push_back(label);
+    return found;
   }
 
   /// Whether the two are of one group.

@@ -59,7 +59,7 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
   const RelativePose* nearest = nullptr;  // of the other poses: a rival, or the best supported
   bool rival = false;
   for (const auto& other : report.other_poses) {
-    const bool is_one = is_rival(other, pose, query, report.believable, options.decision);
+    const bool is_one = is_rival(other, pose, query, options.decision);
     if (!is_one && (rival || other.degenerate)) continue;
     if (nearest && is_one == rival && nearest->support() >= other.support()) continue;
     nearest = &other;
@@ -72,7 +72,7 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
     stages.push_back({"support over other poses",
                       !rival,
                       pose.support() - nearest->support(),
-                      lead_to_ask(*nearest, pose, query, report.believable, options.decision),
+                      lead_to_ask(*nearest, pose, query, options.decision),
                       true,
                       {}});
   }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <vector>
 
+#include <topobag/bag/place_contents.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/types/ids.hpp>
@@ -27,11 +27,11 @@ struct CandidateReport {
   Verdict verdict = Verdict::no_agreement;  ///< how far it came
   std::optional<RelativePose> pose;         ///< the best one that will do, when three objects agree
   std::vector<RelativePose> other_poses;    ///< the other distinct ones, best first
-  std::map<ClassId, std::size_t> matched;   ///< matched objects by class (the query's)
+  ClassCounts matched;                      ///< matched objects by class (the query's)
   std::optional<double> place_support;      ///< of the pose by all objects of the place around it
   std::optional<RivalPlace> rival;          ///< that keeps the pose from being believed
-  double threshold = 0.0;                   ///< the score that was asked for
-  double believable = 0.0;                  ///< the score that the rate asks for, of rivals as well
+  std::size_t places = 0;                   ///< of the map that can hold what was matched
+  double threshold = 0.0;                   ///< the score that was asked for, among these
   std::optional<double> confidence;         ///< P(true), when the decision is calibrated
   bool complete = true;                     ///< false when the search ended with its budget
 

@@ -6,6 +6,7 @@
 #include <topobag/bag/query.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/match_options.hpp>
+#include <topobag/matching/usual_size_spreads.hpp>
 #include <topobag/recognition/decision_options.hpp>
 #include <topobag/recognition/place_options.hpp>
 #include <topobag/types/class_catalog.hpp>
@@ -23,12 +24,14 @@ struct RecognitionOptions {
 };
 
 /// The defaults for nodes with the labels of a catalog: classes of it that detectors mix up on
-/// nearly every desk may be one object (`lookalike_classes`).
+/// nearly every desk may be one object (`lookalike_classes`), and sizes of a class differ as they
+/// usually do (`usual_size_spreads`).
 ///
 ///     Relocalizer<> relocalizer(recognition_options(ClassCatalog::coco80()));
 inline RecognitionOptions recognition_options(const ClassCatalog& catalog) {
   RecognitionOptions options;
   options.matching.consistency.classes = lookalike_classes(catalog);
+  options.matching.chance.sizes.classes = usual_size_spreads(catalog);
   return options;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/bag/place_contents.hpp>
 #include <topobag/bag/query.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
@@ -22,12 +23,43 @@ inline namespace v0 {
 
 namespace detail {
 
-/// Puts the best pose first that is not degenerate, if it reaches the threshold.
-template <typename Pose>
-void prefer_determined(std::vector<Pose>& poses, double threshold) {
+/// Different places of a bag, by its own word; of one that does not tell, every candidate is one.
+template <typename Bag>
+auto places_of(const Bag& bag, std::size_t, int) -> decltype(std::size_t{bag.places()}) {
+  return bag.places();
+}
+template <typename Bag>
+std::size_t places_of(const Bag&, std::size_t candidates, long) {
+  return candidates;
+}
+
+/// Those of `all` that can hold such objects; all where the bag does not tell.
+template <typename Bag>
+auto places_holding(const Bag& bag, const ClassCounts& objects, const ClassGroups& groups,
+                    std::size_t, int)
+    -> decltype(std::size_t{bag.places_holding(objects, groups)}) {
+  return bag.places_holding(objects, groups);
+}
+template <typename Bag>
+std::size_t places_holding(const Bag&, const ClassCounts&, const ClassGroups&, std::size_t all,
+                           long) {
+  return all;
+}
+
+/// The query's matched objects by class.
+template <typename Graph>
+ClassCounts matched_objects(const RelativePose& pose, const Graph& query) {
+  ClassCounts matched;
+  for (const Correspondence& pair : pose.inliers) ++matched[query.node(pair.query).label];
+  return matched;
+}
+
+/// Puts the best pose first that is not degenerate, if it reaches its threshold.
+template <typename Pose, typename ThresholdOf>
+void prefer_determined(std::vector<Pose>& poses, const ThresholdOf& threshold_of) {
   const auto determined =
       std::find_if(poses.begin(), poses.end(), [](const Pose& pose) { return !pose.degenerate; });
-  if (determined == poses.end() || !(determined->score() >= threshold)) return;
+  if (determined == poses.end() || !(determined->score() >= threshold_of(*determined))) return;
   std::rotate(poses.begin(), determined, determined + 1);
 }
 
@@ -40,41 +72,41 @@ Verdict judge_candidate(const CandidateReport& report, const Graph& query,
   if (!(report.margin() >= 0.0)) return Verdict::chance;
   const bool ambiguous =
       std::any_of(report.other_poses.begin(), report.other_poses.end(), [&](const auto& other) {
-        return is_rival(other, *report.pose, query, report.believable, options);
+        return is_rival(other, *report.pose, query, options);
       });
   if (ambiguous) return Verdict::ambiguous;
   return report.rival ? Verdict::rivalled : Verdict::accepted;
 }
 
 /// What matching says of a candidate.
-template <typename Graph>
-CandidateReport matched_report(const Candidate& candidate, const Graph& graph, const Graph& query,
-                               const MatchOptions& matching, double threshold) {
+/// @param places  of the whole bag
+template <typename Bag>
+CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
+                               const typename Bag::Graph& graph, const typename Bag::Graph& query,
+                               const RecognitionOptions& options, std::size_t places) {
+  const auto places_for = [&](const ClassCounts& objects) {
+    const auto& classes = options.matching.consistency.classes;
+    return std::min(places, places_holding(bag, objects, classes, places, 0) +
+                                options.decision.more_places);
+  };
   CandidateReport report;
   report.id = candidate.id;
   report.similarity = candidate.score;
-  report.threshold = threshold;
-  GraphMatch match = match_graphs(graph, query, matching);
+  report.places = places;
+  report.threshold = options.decision.threshold(places);
+  GraphMatch match = match_graphs(graph, query, options.matching);
   report.complete = match.complete;
-  prefer_determined(match.poses, threshold);
   if (match.poses.empty()) return report;
+  prefer_determined(match.poses, [&](const RelativePose& pose) {
+    return options.decision.threshold(places_for(matched_objects(pose, query)));
+  });
   report.pose = std::move(match.poses.front());
   report.other_poses.assign(std::make_move_iterator(match.poses.begin() + 1),
                             std::make_move_iterator(match.poses.end()));
-  for (const Correspondence& pair : report.pose->inliers) {
-    ++report.matched[query.node(pair.query).label];
-  }
+  report.matched = matched_objects(*report.pose, query);
+  report.places = places_for(report.matched);
+  report.threshold = options.decision.threshold(report.places);
   return report;
-}
-
-/// Different places of a bag, by its own word; of one that does not tell, every candidate is one.
-template <typename Bag>
-auto places_of(const Bag& bag, std::size_t, int) -> decltype(std::size_t{bag.places()}) {
-  return bag.places();
-}
-template <typename Bag>
-std::size_t places_of(const Bag&, std::size_t candidates, long) {
-  return candidates;
 }
 
 }  // namespace detail
@@ -82,8 +114,8 @@ std::size_t places_of(const Bag&, std::size_t candidates, long) {
 /// Matches the query with each candidate, judges the best poses again by the places around them,
 /// and accepts at most one: the best score among those that pass every stage.
 ///
-/// The places are those of the whole bag, for all of it was asked (`DecisionOptions`). A pose is
-/// rivalled when one that puts the query elsewhere in the world fits about as well: in another
+/// What is asked of a score grows with the places of the whole bag that could have given the match,
+/// for all of them were asked (`DecisionOptions`). A pose is rivalled when one that puts the query elsewhere in the world fits about as well: in another
 /// candidate with a pose in the world, or, without poses, in one of another session or whose id is
 /// at least `PlaceOptions::min_id_gap` away.
 ///
@@ -103,15 +135,12 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
   recognition.usable = query.is_matchable();
   if (!recognition.usable) return recognition;
   recognition.places = detail::places_of(bag, candidates.size(), 0);
-  const double threshold = options.decision.threshold(recognition.places);
-  const double believable = options.decision.believable(recognition.places);
   auto& reports = recognition.candidates;
   for (const Candidate& candidate : candidates) {
     const auto graph = detail::stored_graph(bag, candidate.id, 0);
     if (!graph) continue;
     reports.push_back(
-        detail::matched_report(candidate, *graph, query, options.matching, threshold));
-    reports.back().believable = believable;
+        detail::matched_report(bag, candidate, *graph, query, options, recognition.places));
   }
   detail::judge_places(bag, query, options, reports);
   for (CandidateReport& report : reports) {

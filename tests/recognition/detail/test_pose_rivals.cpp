@@ -65,7 +65,7 @@ TEST_CASE("the lead asked for over a place believed by itself is so many deviati
     for (int i = 0; i < rounds; ++i) variance += std::pow(support() - support(), 2) / rounds;
     options.min_lead = 0.0;
     options.lead_deviations = 1.0;
-    CHECK(detail::lead_to_ask(objects, 5.0, 2.0, options) ==
+    CHECK(detail::lead_to_ask(objects, 5.0, options) ==
           Approx(std::sqrt(variance)).epsilon(0.05));
   }
 }
@@ -73,14 +73,13 @@ TEST_CASE("the lead asked for over a place believed by itself is so many deviati
 TEST_CASE("the lead asked for grows with how far the rival is believed, and with the objects",
           "[recognition]") {
   const DecisionOptions options;
-  CHECK(detail::lead_to_ask(8, -1.0, 2.0, options) == options.min_lead);
-  CHECK(detail::lead_to_ask(0, 5.0, 2.0, options) == options.min_lead);
-  const double half = detail::lead_to_ask(8, 1.0, 2.0, options) - options.min_lead;
-  const double whole = detail::lead_to_ask(8, 2.0, 2.0, options) - options.min_lead;
+  const double full = options.rival_support;
+  CHECK(detail::lead_to_ask(8, -1.0, options) == options.min_lead);
+  CHECK(detail::lead_to_ask(0, full, options) == options.min_lead);
+  const double half = detail::lead_to_ask(8, 0.5 * full, options) - options.min_lead;
+  const double whole = detail::lead_to_ask(8, full, options) - options.min_lead;
   CHECK(half > 0.0);
   CHECK(whole == Approx(2.0 * half));
-  CHECK(detail::lead_to_ask(8, 9.0, 2.0, options) - options.min_lead == Approx(whole));
-  CHECK(detail::lead_to_ask(32, 2.0, 2.0, options) - options.min_lead == Approx(2.0 * whole));
-  // Where no score is asked for, every rival is believed.
-  CHECK(detail::lead_to_ask(8, -1.0, 0.0, options) - options.min_lead == Approx(whole));
+  CHECK(detail::lead_to_ask(8, 9.0 * full, options) - options.min_lead == Approx(whole));
+  CHECK(detail::lead_to_ask(32, full, options) - options.min_lead == Approx(2.0 * whole));
 }

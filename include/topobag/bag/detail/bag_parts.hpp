@@ -12,6 +12,7 @@
 #include <topobag/bag/detail/dead_slots.hpp>
 #include <topobag/bag/detail/head_block.hpp>
 #include <topobag/bag/detail/segment.hpp>
+#include <topobag/bag/place_contents.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -50,6 +51,7 @@ struct BagParts {
   std::bitset<HeadBlock::capacity> dead_in_head;
   std::size_t live = 0;
   std::size_t places = 0;  ///< different ones among the live entries
+  std::shared_ptr<const PlaceContents> contents = std::make_shared<const PlaceContents>();
 
   /// O(segments · log n).
   std::optional<EntryPlace> find(KeyframeId id) const {

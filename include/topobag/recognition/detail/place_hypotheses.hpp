@@ -121,8 +121,7 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
       if (other.report == hypothesis.report) continue;  // told by `other_poses`
       const std::size_t elsewhere = objects_put_elsewhere(query, *hypothesis.pose, *other.pose,
                                                           seen_from(hypothesis, other, reports));
-      const double lead =
-          lead_to_ask(elsewhere, other.support, report.believable, options.decision);
+      const double lead = lead_to_ask(elsewhere, other.support, options.decision);
       if (other.support <= hypothesis.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;
       report.rival = RivalPlace{reports[other.report].id, other.support, lead};

@@ -49,13 +49,12 @@ std::size_t objects_put_elsewhere(const Graph& query, const RelativePose& pose,
 }
 
 /// By how many decades a pose has to lead over a rival that puts so many of its objects elsewhere.
-/// As far as the rival would be believed by itself (at the score `believable`), the places are
-/// alike, and which of them is ahead is a matter of noise: the residuals of n objects move −log10
-/// of their likelihood by √(3n/2) / ln 10 (half a χ² with 3n degrees of freedom), two such by √2
-/// times that.
-inline double lead_to_ask(std::size_t objects_elsewhere, double rival_support, double believable,
+/// As far as the rival is believable itself, the places are alike, and which of them is ahead is a
+/// matter of noise: the residuals of n objects move −log10 of their likelihood by √(3n/2) / ln 10
+/// (half a χ² with 3n degrees of freedom), two such by √2 times that.
+inline double lead_to_ask(std::size_t objects_elsewhere, double rival_support,
                           const DecisionOptions& options) {
-  const double believed = believable > 0.0 ? std::clamp(rival_support / believable, 0.0, 1.0) : 1.0;
+  const double believed = std::clamp(rival_support / options.rival_support, 0.0, 1.0);
   const double noise = std::sqrt(3.0 * static_cast<double>(objects_elsewhere)) / std::log(10.0);
   return options.min_lead + options.lead_deviations * believed * noise;
 }
@@ -63,9 +62,9 @@ inline double lead_to_ask(std::size_t objects_elsewhere, double rival_support, d
 /// The same over another pose of the candidate itself.
 template <typename Graph>
 double lead_to_ask(const RelativePose& other, const RelativePose& pose, const Graph& query,
-                   double believable, const DecisionOptions& options) {
+                   const DecisionOptions& options) {
   const std::size_t elsewhere = objects_put_elsewhere(query, pose, other, other.T_candidate_query);
-  return lead_to_ask(elsewhere, other.support(), believable, options);
+  return lead_to_ask(elsewhere, other.support(), options);
 }
 
 /// Whether another pose of the candidate keeps `pose` from being believed: it fits about as well. A
@@ -73,9 +72,9 @@ double lead_to_ask(const RelativePose& other, const RelativePose& pose, const Gr
 /// does not leave `pose` open.
 template <typename Graph>
 bool is_rival(const RelativePose& other, const RelativePose& pose, const Graph& query,
-              double believable, const DecisionOptions& options) {
+              const DecisionOptions& options) {
   if (other.degenerate) return other.score() > pose.score() && !within_uncertainty(other, pose);
-  return other.support() > pose.support() - lead_to_ask(other, pose, query, believable, options);
+  return other.support() > pose.support() - lead_to_ask(other, pose, query, options);
 }
 
 }  // namespace detail
