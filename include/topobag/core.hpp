@@ -106,11 +106,14 @@
 #include <topobag/recognition/temporal_consistency.hpp>
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
+#include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
 #include <topobag/sensing/depth_view.hpp>
+#include <topobag/sensing/describe_detections.hpp>
 #include <topobag/sensing/disparity_depth.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>
+#include <topobag/sensing/image_view.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 #include <topobag/sensing/node_noise.hpp>
 #include <topobag/sensing/non_maximum_suppression.hpp>
@@ -132,6 +135,8 @@
 #include <topobag/similarity/sparse_histogram.hpp>
 #include <topobag/similarity/surrounding_labels.hpp>
 #include <topobag/similarity/weisfeiler_lehman.hpp>
+#include <topobag/types/appearance.hpp>
+#include <topobag/types/appearance_mean.hpp>
 #include <topobag/types/bounding_box.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
 #include <topobag/types/class_catalog.hpp>

@@ -37,6 +37,8 @@ class BasicBagView {
   bool empty() const noexcept { return parts_.live == 0; }
   /// Different places among the entries. O(1).
   std::size_t places() const noexcept { return parts_.places; }
+  /// The one kind of the descriptors in the bag; of length 0 where none carries one.
+  AppearanceKind appearance_kind() const noexcept { return parts_.appearance_kind; }
   bool contains(KeyframeId id) const { return parts_.find(id).has_value(); }
 
   /// The key frame's graph as it is stored, or nothing.

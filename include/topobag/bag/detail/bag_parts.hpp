@@ -12,6 +12,7 @@
 #include <topobag/bag/detail/dead_slots.hpp>
 #include <topobag/bag/detail/head_block.hpp>
 #include <topobag/bag/detail/segment.hpp>
+#include <topobag/types/appearance.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -49,7 +50,8 @@ struct BagParts {
   std::size_t head_size = 0;        ///< entries of it that belong here
   std::bitset<HeadBlock::capacity> dead_in_head;
   std::size_t live = 0;
-  std::size_t places = 0;  ///< different ones among the live entries
+  std::size_t places = 0;          ///< different ones among the live entries
+  AppearanceKind appearance_kind;  ///< of all descriptors that were added
 
   /// O(segments · log n).
   std::optional<EntryPlace> find(KeyframeId id) const {
