@@ -67,6 +67,7 @@
 #include <topobag/graph/topology_weight.hpp>
 #include <topobag/graph/vertex_matrix.hpp>
 #include <topobag/graph/view.hpp>
+#include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/chance_model.hpp>
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>

@@ -15,6 +15,7 @@
 #include <Eigen/LU>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
@@ -55,6 +56,7 @@ struct ChanceModel {
   double relabeling = 0.45;      ///< −log10 P of the label of a pair of two classes of one group
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's
+  AppearanceModel appearance{};               ///< what the looks of a pair say
 
   /// −log10 of the expected number of false matches. 0 for fewer than three pairs, or two where the
   /// vertical is known. O(n + k).
@@ -77,6 +79,7 @@ struct ChanceModel {
       if (p.label != q.label) {
         significance -= confusion ? confusion->cost(p.label, q.label) : relabeling;
       }
+      significance += appearance.log10_odds(p.appearance, q.appearance);
       for (Eigen::Index side = 0; side < 2; ++side) {
         significance +=
             log10_size_factor(static_cast<double>(p.size(side)), static_cast<double>(q.size(side)));

@@ -96,6 +96,19 @@ class ColorDescriptor {
     return {table[color[0]], table[color[1]], table[color[2]]};
   }
 
+  /// Between which bins a number in [-1, 1] lies, and how much of it is either's.
+  struct Place {
+    explicit Place(float number) {
+      const float place =
+          (std::clamp(number, -1.0F, 1.0F) + 1.0F) * (static_cast<float>(bins - 1) / 2.0F);
+      bin = std::min(static_cast<int>(place), static_cast<int>(bins) - 2);
+      weight[1] = place - static_cast<float>(bin);
+      weight[0] = 1.0F - weight[1];
+    }
+    int bin;                      ///< the lower one
+    std::array<float, 2> weight;  ///< of the lower and the upper one
+  };
+
   template <typename IsObject>
   Appearance describe(const BoundingBox& box, const IsObject& is_object) const {
     if (!box.is_valid()) return {};
@@ -132,27 +145,19 @@ class ColorDescriptor {
   /// Spreads a pixel over the bins around its colour.
   static void add(Histogram& histogram, int half, const Eigen::Array3f& color) {
     const float red = color[0], green = color[1], blue = color[2];
-    const std::array<float, 3> axes{(red + green + blue) / (3.0F * brightness_span),
-                                    (red - green) / opponent_span,
-                                    ((red + green) / 2.0F - blue) / opponent_span};
-    std::array<int, 3> bin{};
-    std::array<float, 3> upper{};  // the next bin's share
-    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-      const float last = static_cast<float>(bins - 1);
-      const float place = (std::clamp(axes[axis], -1.0F, 1.0F) + 1.0F) / 2.0F * last;
-      bin[axis] = std::min(static_cast<int>(place), static_cast<int>(bins) - 2);
-      upper[axis] = place - static_cast<float>(bin[axis]);
-    }
+    const Place brightness((red + green + blue) / (3.0F * brightness_span));
+    const Place redness((red - green) / opponent_span);
+    const Place yellowness(((red + green) / 2.0F - blue) / opponent_span);
     constexpr int n = static_cast<int>(bins);
-    for (int corner = 0; corner < 8; ++corner) {
-      int index = half;
-      float weight = 1.0F;
-      for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-        const int next = corner >> axis & 1;
-        index = index * n + bin[axis] + next;
-        weight *= next == 1 ? upper[axis] : 1.0F - upper[axis];
+    float* const bin =
+        &histogram[((half * n + brightness.bin) * n + redness.bin) * n + yellowness.bin];
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) {
+        const float weight = brightness.weight[static_cast<std::size_t>(i)] *
+                             redness.weight[static_cast<std::size_t>(j)];
+        bin[(i * n + j) * n] += weight * yellowness.weight[0];
+        bin[(i * n + j) * n + 1] += weight * yellowness.weight[1];
       }
-      histogram[index] += weight;
     }
   }
 
