@@ -67,6 +67,7 @@
 #include <topobag/graph/topology_weight.hpp>
 #include <topobag/graph/vertex_matrix.hpp>
 #include <topobag/graph/view.hpp>
+#include <topobag/matching/appearance_counts.hpp>
 #include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/chance_model.hpp>
 #include <topobag/matching/class_confusion.hpp>
@@ -76,6 +77,7 @@
 #include <topobag/matching/consistency_similarity.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/judge_pose.hpp>
+#include <topobag/matching/learn_appearance.hpp>
 #include <topobag/matching/learn_confusion.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/matching/match_nodes.hpp>

@@ -26,6 +26,35 @@ TEST_CASE("a table is read between its points, and held at its ends", "[matching
   CHECK(model.log10_odds(0.9) == 0.3);
 }
 
+TEST_CASE("pairs of one match say together what they say, up to what the shares allow",
+          "[matching][appearance]") {
+  const AppearanceModel model;
+  CHECK(model.log10_odds_together(0.0) == Approx(0.0).margin(1e-12));
+  double before = -10.0;
+  for (double sum = -12.0; sum <= 12.0; sum += 0.25) {
+    const double together = model.log10_odds_together(sum);
+    CHECK(together > before - 1e-12);
+    CHECK(std::abs(together) <= std::abs(sum) + 1e-12);
+    before = together;
+  }
+  CHECK(std::abs(model.log10_odds_together(0.5) - 0.5) < 0.05);
+  CHECK(model.log10_odds_together(1e6) ==
+        Approx(std::log10((1.0 - model.light_changed) / model.furnished_alike)));
+  CHECK(model.log10_odds_together(-1e6) ==
+        Approx(std::log10(model.light_changed / (1.0 - model.furnished_alike))));
+}
+
+TEST_CASE("a table that does not rise is refused", "[matching][appearance]") {
+  AppearanceModel model;
+  model.validate();
+  for (const AppearanceOdds& bad :
+       {AppearanceOdds{0.70, 1.0}, AppearanceOdds{0.9, -2.0}, AppearanceOdds{std::nan(""), 0.0},
+        AppearanceOdds{0.9, INFINITY}}) {
+    model.table = {{0.7, -0.5}, bad};
+    CHECK_THROWS_AS(model.validate(), InvalidValue);
+  }
+}
+
 TEST_CASE("the default table rises", "[matching][appearance]") {
   const AppearanceModel model;
   for (std::size_t i = 1; i < model.table.size(); ++i) {
@@ -74,7 +103,9 @@ TEST_CASE("a match scores what its pairs look like, and nothing else changes",
           odds += options.chance.appearance.log10_odds(candidate.node(pair.candidate).appearance,
                                                        query.node(pair.query).appearance);
         }
-        CHECK(pose.significance == Approx(other.significance + odds).margin(1e-9));
+        CHECK(pose.significance ==
+              Approx(other.significance + options.chance.appearance.log10_odds_together(odds))
+                  .margin(1e-9));
         ++compared;
       }
     }

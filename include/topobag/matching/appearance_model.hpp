@@ -2,8 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
 #include <vector>
 
+#include <topobag/error.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/types/appearance.hpp>
 
@@ -23,8 +27,7 @@ struct AppearanceOdds {
 /// ± 20 %). One object: 19,400 pairs of boxes of a class that lie within 0.15 m in the world. Two:
 /// in equal parts 8,610 pairs of a class, 0.5 m apart and more, who look more alike than those of
 /// two rooms, and 20,845 pairs of different classes, who look less alike. Taken for granted is
-/// what no desk shows: see `AppearanceCounts`. Pairs of one match hardly err together where they
-/// are false (their correlation is -0.04), so that their odds multiply.
+/// what no desk shows: of a pair the shares of `AppearancePrior`, of a whole match the two below.
 struct AppearanceModel {
   AppearanceKind kind = ColorDescriptor::kind;  ///< that the table is of; others say nothing
   /// By rising similarity, between which the odds run straight; constant beyond its ends. Empty:
@@ -32,11 +35,40 @@ struct AppearanceModel {
   std::vector<AppearanceOdds> table{{0.70, -0.90}, {0.80, -0.70}, {0.87, -0.40}, {0.90, -0.10},
                                     {0.92, 0.15},  {0.94, 0.38},  {0.97, 0.55},  {0.99, 0.70}};
 
+  double furnished_alike = 0.03;  ///< share of other places whose objects look the same, all
+  double light_changed = 0.03;    ///< share of revisits on which none looks as before
+
+  /// What the pairs of one match say together, whose own odds add up to `sum`: hardly more than the
+  /// sum of few, and no more, nor less, than the two shares allow. Rooms are furnished from one
+  /// catalogue, and a lamp shines on all. O(1).
+  double log10_odds_together(double sum) const {
+    const double odds = std::pow(10.0, std::clamp(sum, -100.0, 100.0));
+    return std::log10(((1.0 - light_changed) * odds + light_changed) /
+                      (1.0 - furnished_alike + furnished_alike * odds));
+  }
+
   /// log10 P(similarity | one object) / P(similarity | two objects of a class). 0 where one looks
   /// unknown, or of another kind than the table's. O(length of the table).
   double log10_odds(const Appearance& a, const Appearance& b) const {
-    if (table.empty() || !a.known() || a.kind() != kind || b.kind() != kind) return 0.0;
-    return log10_odds(cosine_similarity(a, b));
+    return compares(a, b) ? log10_odds(cosine_similarity(a, b)) : 0.0;
+  }
+
+  /// Whether the table speaks of the two.
+  bool compares(const Appearance& a, const Appearance& b) const noexcept {
+    return !table.empty() && a.known() && a.kind() == kind && b.kind() == kind;
+  }
+
+  /// Throws InvalidValue unless the table is finite, its similarities rise and its odds do not
+  /// fall.
+  void validate() const {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const bool rises = i == 0 || (table[i].similarity > table[i - 1].similarity &&
+                                    table[i].log10_odds >= table[i - 1].log10_odds);
+      if (!std::isfinite(table[i].similarity) || !std::isfinite(table[i].log10_odds) || !rises) {
+        throw InvalidValue(
+            "the odds of appearance do not rise with similarity at point " + std::to_string(i), i);
+      }
+    }
   }
 
   /// The same of a similarity. Precondition: the table is not empty.

@@ -73,18 +73,20 @@ struct ChanceModel {
     if (pairs.size() < (vertical ? 2U : 3U)) return 0.0;
     double significance =
         log10_bayes_factor(points, pose, vertical) - log10_ways(candidate, query, pairs, groups);
+    double looks = 0.0;
     for (const Correspondence& pair : pairs) {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
       if (p.label != q.label) {
         significance -= confusion ? confusion->cost(p.label, q.label) : relabeling;
       }
-      significance += appearance.log10_odds(p.appearance, q.appearance);
+      looks += appearance.log10_odds(p.appearance, q.appearance);
       for (Eigen::Index side = 0; side < 2; ++side) {
         significance +=
             log10_size_factor(static_cast<double>(p.size(side)), static_cast<double>(q.size(side)));
       }
     }
+    if (looks != 0.0) significance += appearance.log10_odds_together(looks);
     // Not so where rounding leaves the covariance of a pose, or of a pair, without a root.
     return std::isfinite(significance) ? significance : std::numeric_limits<double>::lowest();
   }
