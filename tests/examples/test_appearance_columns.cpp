@@ -70,18 +70,18 @@ TEST_CASE("columns of looks that say nothing clear are refused", "[examples][app
   const std::string both =
       "columns a0, a1, … say what an object looks like, and column appearance which method gave "
       "them: both are needed, or neither";
-  CHECK(error_of_described(",a0", "") == "s.nodes.csv, line 1: " + both);
-  CHECK(error_of_described(",appearance", "") == "s.nodes.csv, line 1: " + both);
-  CHECK(error_of_described(",appearance,a1", "") == "s.nodes.csv, line 1: " + both);
+  CHECK(error_of_described(",a0", "") == "s.nodes.csv:1: " + both);
+  CHECK(error_of_described(",appearance", "") == "s.nodes.csv:1: " + both);
+  CHECK(error_of_described(",appearance,a1", "") == "s.nodes.csv:1: " + both);
   CHECK(error_of_described(",appearance,a0", a_node + ",mine,128\n") ==
-        "s.nodes.csv, line 2: a0 has to lie in [-128, 127]");
+        "s.nodes.csv:2: a0 has to lie in [-128, 127]");
   CHECK(error_of_described(",appearance,a0", a_node + ",mine,0\n") ==
-        "s.nodes.csv, line 2: a descriptor of zeros has no direction");
+        "s.nodes.csv:2: a descriptor of zeros has no direction");
   CHECK(error_of_described(",appearance,a0", a_node + ",mine,1\n" + a_node + ",yours,1\n") ==
-        "s.nodes.csv, line 3: appearance 'yours' is another one than 'mine' above: describe all "
+        "s.nodes.csv:3: appearance 'yours' is another one than 'mine' above: describe all "
         "objects by one method");
   std::string many = ",appearance";
   for (int i = 0; i < 65; ++i) many += ",a" + std::to_string(i);
   CHECK(error_of_described(many, "") ==
-        "s.nodes.csv, line 1: an appearance holds up to 64 numbers, a0 to a63");
+        "s.nodes.csv:1: an appearance holds up to 64 numbers, a0 to a63");
 }
