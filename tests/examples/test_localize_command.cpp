@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <topobag/sensing/color_descriptor.hpp>
+
 #include "catch.hpp"
 #include "node_table.hpp"
 #include "run_program.hpp"

@@ -38,9 +38,9 @@ struct AppearanceModel {
   double furnished_alike = 0.03;  ///< share of other places whose objects look the same, all
   double light_changed = 0.03;    ///< share of revisits on which none looks as before
 
-  /// What the pairs of one match say together, whose own odds add up to `sum`: hardly more than the
-  /// sum of few, and no more, nor less, than the two shares allow. Rooms are furnished from one
-  /// catalogue, and a lamp shines on all. O(1).
+  /// What the pairs of one match say together, whose own log10 odds add up to `sum`: about the sum
+  /// where it is small, and no more, nor less, than the two shares allow, for rooms are furnished
+  /// from one catalogue, and a lamp shines on all. O(1).
   double log10_odds_together(double sum) const {
     const double odds = std::pow(10.0, std::clamp(sum, -100.0, 100.0));
     return std::log10(((1.0 - light_changed) * odds + light_changed) /
@@ -51,6 +51,18 @@ struct AppearanceModel {
   /// unknown, or of another kind than the table's. O(length of the table).
   double log10_odds(const Appearance& a, const Appearance& b) const {
     return compares(a, b) ? log10_odds(cosine_similarity(a, b)) : 0.0;
+  }
+
+  /// The same of a similarity. Precondition: the table is not empty.
+  double log10_odds(double similarity) const {
+    const auto above = std::upper_bound(
+        table.begin(), table.end(), similarity,
+        [](double value, const AppearanceOdds& odds) { return value < odds.similarity; });
+    if (above == table.begin()) return table.front().log10_odds;
+    if (above == table.end()) return table.back().log10_odds;
+    const AppearanceOdds &low = *(above - 1), &high = *above;
+    const double share = (similarity - low.similarity) / (high.similarity - low.similarity);
+    return low.log10_odds + share * (high.log10_odds - low.log10_odds);
   }
 
   /// Whether the table speaks of the two.
@@ -69,18 +81,6 @@ struct AppearanceModel {
             "the odds of appearance do not rise with similarity at point " + std::to_string(i), i);
       }
     }
-  }
-
-  /// The same of a similarity. Precondition: the table is not empty.
-  double log10_odds(double similarity) const {
-    const auto above = std::upper_bound(
-        table.begin(), table.end(), similarity,
-        [](double value, const AppearanceOdds& odds) { return value < odds.similarity; });
-    if (above == table.begin()) return table.front().log10_odds;
-    if (above == table.end()) return table.back().log10_odds;
-    const AppearanceOdds &low = *(above - 1), &high = *above;
-    const double share = (similarity - low.similarity) / (high.similarity - low.similarity);
-    return low.log10_odds + share * (high.log10_odds - low.log10_odds);
   }
 };
 

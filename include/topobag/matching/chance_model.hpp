@@ -45,7 +45,7 @@ inline namespace v0 {
 ///
 /// The widths and the heights of the paired objects speak in the same way: of one object seen twice
 /// they are nearly equal, of two objects of a class they are not; on real detections the two sides
-/// err apart (their errors correlate by 0.1 to 0.2).
+/// err apart (their errors correlate by 0.1 to 0.2). So do their looks, where both are known.
 struct ChanceModel {
   double fill = 1.5;  ///< area that chance fills, in rectangles of the matched objects' scatter
   double min_extent = 0.10;      ///< m, of each of its sides
@@ -73,7 +73,7 @@ struct ChanceModel {
     if (pairs.size() < (vertical ? 2U : 3U)) return 0.0;
     double significance =
         log10_bayes_factor(points, pose, vertical) - log10_ways(candidate, query, pairs, groups);
-    double looks = 0.0;
+    double looks = 0.0;  // log10 odds of the pairs, added up
     for (const Correspondence& pair : pairs) {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
