@@ -22,18 +22,20 @@ struct AppearanceOdds {
 
 /// How much more alike one object looks in two images than two objects of its class do.
 ///
-/// The default is for `ColorDescriptor`, measured in two sequences of one desk (fr1_xyz and
-/// fr1_rpy) with exposure and white balance as they are and changed in one of them (× 0.6, × 1.6,
-/// ± 20 %). One object: 19,400 pairs of boxes of a class that lie within 0.15 m in the world. Two:
-/// in equal parts 8,610 pairs of a class, 0.5 m apart and more, who look more alike than those of
-/// two rooms, and 20,845 pairs of different classes, who look less alike. Taken for granted is
-/// what no desk shows: of a pair the shares of `AppearancePrior`, of a whole match the two below.
+/// The default is for `ColorDescriptor`, measured in one sequence of one desk (fr1_xyz, key frames
+/// 4 s apart and more) with exposure and white balance as they are and changed in one of the two (×
+/// 0.6, × 1.6, ± 20 %). One object: 36,790 pairs of boxes of a class that lie within 0.15 m in the
+/// world. Two: in equal parts 9,460 pairs of a class, 0.5 m apart and more, that look more alike
+/// than those of two rooms, and 30,435 pairs of different classes, that look less alike. Taken for
+/// granted is what no desk shows: of a pair the shares of `AppearancePrior`, of a whole match the
+/// two below.
 struct AppearanceModel {
   AppearanceKind kind = ColorDescriptor::kind;  ///< that the table is of; others say nothing
   /// By rising similarity, between which the odds run straight; constant beyond its ends. Empty:
   /// appearance says nothing.
-  std::vector<AppearanceOdds> table{{0.70, -0.90}, {0.80, -0.70}, {0.87, -0.40}, {0.90, -0.10},
-                                    {0.92, 0.15},  {0.94, 0.38},  {0.97, 0.55},  {0.99, 0.70}};
+  std::vector<AppearanceOdds> table{{0.70, -0.93},  {0.78, -0.88}, {0.82, -0.72}, {0.855, -0.47},
+                                    {0.885, -0.28}, {0.91, -0.10}, {0.93, 0.12},  {0.955, 0.37},
+                                    {0.975, 0.53},  {0.99, 0.65}};
 
   double furnished_alike = 0.03;  ///< share of other places whose objects look the same, all
   double light_changed = 0.03;    ///< share of revisits on which none looks as before
