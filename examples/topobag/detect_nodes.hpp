@@ -22,6 +22,7 @@ struct DetectionSource {
   topobag::YoloOptions yolo;              ///< of the network
   std::vector<topobag::ClassId> classes;  ///< the class behind each score of the network
   std::optional<ImageBoxes> boxes;        ///< instead of a network, of the same frames
+  bool colors = false;                    ///< whether objects are described by their colours
 };
 
 /// What was detected in a sequence.

@@ -54,6 +54,7 @@ Json candidate_json(const topobag::CandidateExplanation& candidate) {
                                {"query", match.query_class},
                                {"distance_m", match.distance},
                                {"deviations", match.deviations}});
+    if (match.looks) json["matched"].back()["looks"] = *match.looks;
   }
   for (const auto& missing : candidate.missing) json["missing"].push_back(missing_json(missing));
   for (const auto& change : candidate.changes) json["changes"].push_back(change_json(change));

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "appearance_columns.hpp"
 #include "csv_pose.hpp"
 #include "csv_reader.hpp"
 
@@ -98,19 +99,33 @@ class DetectionRows {
 
 /// Gives each row of the detections to its frame.
 void read_detections(const std::string& path, const topobag::ClassCatalog& catalog,
-                     std::vector<FrameRow>& frames) {
+                     NodeTable& table) {
   std::map<std::int64_t, FrameRow*> by_idx;
-  for (FrameRow& frame : frames) by_idx.emplace(frame.idx, &frame);
+  for (FrameRow& frame : table.frames) by_idx.emplace(frame.idx, &frame);
   CsvReader csv(path);
   const std::size_t idx = csv.column("idx");
   const DetectionRows rows(csv, catalog);
+  AppearanceColumns appearance(csv);
   while (csv.next()) {
     const auto frame = by_idx.find(csv.integer(idx));
     if (frame == by_idx.end()) {
       throw csv.error("idx " + std::string(csv.text(idx)) + " is not among the frames");
     }
     frame->second->detections.push_back(rows.read());
+    frame->second->detections.back().appearance = appearance.read();
   }
+  table.appearance = appearance.name();
+}
+
+/// Numbers in the descriptors of the table; 0 where there are none.
+std::size_t descriptor_length(const NodeTable& table) {
+  topobag::AppearanceKind kind;
+  for (const FrameRow& frame : table.frames) {
+    for (const topobag::RangedDetection& detection : frame.detections) {
+      kind = topobag::common_kind(kind, detection.appearance.kind(), "a detection");
+    }
+  }
+  return kind.length();
 }
 
 void write_pose(std::ostream& out, const std::optional<Eigen::Isometry3d>& T_world_camera) {
@@ -136,7 +151,7 @@ std::string set_name(const std::string& path) {
 
 NodeTable read_node_table(const std::string& set, const topobag::ClassCatalog& catalog) {
   NodeTable table{read_frames(frames_file(set))};
-  read_detections(nodes_file(set), catalog, table.frames);
+  read_detections(nodes_file(set), catalog, table);
   return table;
 }
 
@@ -145,7 +160,10 @@ void write_node_table(const std::string& set, const NodeTable& table,
   std::ostringstream frames;
   std::ostringstream nodes;
   frames << std::fixed << "idx,frame,timestamp,tx,ty,tz,qx,qy,qz,qw\n";
-  nodes << std::fixed << "idx,class_id,class,conf,u,v,w,h,z\n";
+  nodes << std::fixed << "idx,class_id,class,conf,u,v,w,h,z";
+  const std::size_t length = descriptor_length(table);
+  AppearanceColumns::write_header(nodes, length);
+  nodes << '\n';
   for (const FrameRow& frame : table.frames) {
     if (frame.name.find_first_of(",\"\r\n") != std::string::npos) {
       throw InputError(frames_file(set), "the name of frame " + std::to_string(frame.idx) +
@@ -161,7 +179,9 @@ void write_node_table(const std::string& set, const NodeTable& table,
             << catalog.name(detection.label) << ',' << std::setprecision(3) << detection.confidence
             << std::setprecision(1) << ',' << center.x() << ',' << center.y() << ','
             << detection.box.width() << ',' << detection.box.height() << std::setprecision(3) << ','
-            << detection.z << '\n';
+            << detection.z;
+      AppearanceColumns::write(nodes, detection.appearance, table.appearance, length);
+      nodes << '\n';
     }
   }
   write_files({{frames_file(set), frames.str()}, {nodes_file(set), nodes.str()}});

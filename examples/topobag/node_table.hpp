@@ -29,9 +29,11 @@ struct FrameRow {
 /// A table named SET is two files. `SET.frames.csv` has columns idx, frame, timestamp and
 /// optionally the pose tx ty tz qx qy qz qw (camera to world; empty where unknown);
 /// `SET.nodes.csv` has idx (of the frame), class, conf, u, v (box centre, px), w, h (box size, px),
-/// z (m, 0 = unknown) and optionally class_id. Further columns are ignored.
+/// z (m, 0 = unknown) and optionally class_id, and what the object looks like (see
+/// `AppearanceColumns`). Further columns are ignored.
 struct NodeTable {
   std::vector<FrameRow> frames;
+  std::string appearance{};  ///< name of the method that described the objects; empty = none did
 };
 
 /// The name of a table; either of its two files stands for it.

@@ -31,6 +31,7 @@ struct NodesOptions {
   topobag::PinholeCamera<> camera;
   double depth_scale = 5000.0;
   topobag::YoloOptions yolo;
+  bool colors = false;
 };
 
 /// The class behind each score of the network: COCO's order, or that of a file of names.
@@ -110,7 +111,8 @@ void make_nodes(const NodesOptions& options) {
     throw InputError("--out " + options.out, "the folder does not exist; make it first");
   }
   topobag::PinholeCamera<> camera = options.camera;
-  DetectionSource source{options.model, options.yolo, read_classes(options.names, catalog), {}};
+  DetectionSource source{
+      options.model, options.yolo, read_classes(options.names, catalog), {}, options.colors};
   const RgbdSequence sequence = read_tum_sequence(options.images);
   if (!options.boxes.empty()) {
     if (std::filesystem::is_directory(options.boxes) && camera.width == 0) {
@@ -172,6 +174,10 @@ void add_nodes_command(CLI::App& app) {
   command.add_option("--input-size", options->yolo.input_size, "Side of the network's input, px")
       ->check(CLI::Range(32, 4096))
       ->capture_default_str();
+  command.add_option("--appearance", options->colors, "What of an object's looks is kept")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, bool>{{"none", false}, {"color", true}}, CLI::ignore_case))
+      ->default_str("none");
   command.callback([options] { make_nodes(*options); });
 }
 

@@ -68,6 +68,8 @@
 #include <topobag/graph/topology_weight.hpp>
 #include <topobag/graph/vertex_matrix.hpp>
 #include <topobag/graph/view.hpp>
+#include <topobag/matching/appearance_counts.hpp>
+#include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/chance_model.hpp>
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
@@ -76,6 +78,7 @@
 #include <topobag/matching/consistency_similarity.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/judge_pose.hpp>
+#include <topobag/matching/learn_appearance.hpp>
 #include <topobag/matching/learn_confusion.hpp>
 #include <topobag/matching/learn_sizes.hpp>
 #include <topobag/matching/match_graphs.hpp>
@@ -110,11 +113,14 @@
 #include <topobag/recognition/temporal_consistency.hpp>
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
+#include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
 #include <topobag/sensing/depth_view.hpp>
+#include <topobag/sensing/describe_detections.hpp>
 #include <topobag/sensing/disparity_depth.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>
+#include <topobag/sensing/image_view.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 #include <topobag/sensing/node_noise.hpp>
 #include <topobag/sensing/non_maximum_suppression.hpp>
@@ -136,6 +142,8 @@
 #include <topobag/similarity/sparse_histogram.hpp>
 #include <topobag/similarity/surrounding_labels.hpp>
 #include <topobag/similarity/weisfeiler_lehman.hpp>
+#include <topobag/types/appearance.hpp>
+#include <topobag/types/appearance_mean.hpp>
 #include <topobag/types/bounding_box.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
 #include <topobag/types/class_catalog.hpp>

@@ -16,6 +16,7 @@
 #include "catch.hpp"
 #include "child_process.hpp"
 #include "error_text.hpp"
+#include "random_appearance.hpp"
 #include "scratch_folder.hpp"
 
 using namespace topobag;
@@ -259,4 +260,33 @@ TEST_CASE("a map that was not closed is not read in a folder that cannot be writ
   CHECK(said ==
         path + ": it was not closed, and its folder cannot be written, as reading what is in " +
             path + "-wal needs: copy both files to a folder that can be");
+}
+
+TEST_CASE("descriptors of another kind are refused before the file holds them",
+          "[sqlite][appearance]") {
+  const ScratchFolder folder;
+  std::mt19937 random(1);
+  const std::string path = folder.path("map.db");
+  const TopologyGraph<> plain(random_nodes(random, 4, 3));
+  const TopologyGraph<> one = with_appearance(random, plain, AppearanceKind("one", 8));
+  const TopologyGraph<> other = with_appearance(random, plain, AppearanceKind("other", 8));
+  const auto refuses = [](const auto& call) {
+    return error_text(call).find("the key frame has descriptors of another kind") == 0;
+  };
+  for (const bool opened_again : {false, true}) {
+    SqliteBag<> map(path);
+    if (!opened_again) {
+      map.add(KeyframeId{1}, plain);
+      map.add(KeyframeId{2}, one);
+    }
+    CHECK(map.bag().appearance_kind() == one.appearance_kind());
+    CHECK(refuses([&] { map.add(KeyframeId{3}, other); }));
+    CHECK(refuses([&] { map.update(KeyframeId{1}, other); }));
+    BagOfTopologyGraphs<> run;
+    run.add(KeyframeId{4}, other);
+    CHECK(refuses([&] { map.add_session("Tuesday", run); }));
+    CHECK(map.bag().size() == 2);
+    CHECK(map.sessions().empty());
+  }
+  CHECK(ask(path, "SELECT count(*) FROM keyframe") == "2");
 }

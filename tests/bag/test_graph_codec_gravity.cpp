@@ -15,7 +15,6 @@
 #include "bag/realistic_graphs.hpp"
 #include "bag/saved_bags.hpp"
 #include "catch.hpp"
-#include "error_text.hpp"
 
 using namespace topobag;
 
@@ -80,17 +79,6 @@ TEST_CASE("version 2 without a section of its own is a graph of version 1",
   const TopologyGraph<> graph = decode(writer.take());
   CHECK_FALSE(graph.gravity());
   CHECK(encode(graph) == encode(TopologyGraph<>{}));
-}
-
-TEST_CASE("a graph with appearance is not known yet", "[bag][codec][gravity]") {
-  detail::BitWriter writer;
-  detail::put_header(writer, {2, false, false, true});
-  writer.put_number(0);
-  writer.put(1, 1);
-  const Bytes bytes = writer.take();
-  CHECK(error_text([&] { decode(bytes); }).find("a graph with appearance, a format that this") ==
-        0);
-  CHECK_THROWS_AS(decode(bytes), FormatError);
 }
 
 TEST_CASE("a graph with gravity is refused wherever it is cut off", "[bag][codec][gravity]") {

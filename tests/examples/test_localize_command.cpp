@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <topobag/sensing/color_descriptor.hpp>
+
 #include "catch.hpp"
 #include "node_table.hpp"
 #include "run_program.hpp"
@@ -155,9 +157,10 @@ TEST_CASE("localize draws the best match", "[examples]") {
 }
 
 TEST_CASE("bad input ends localize with one line that names file and line", "[examples]") {
-  CHECK(EditedSample(".nodes.csv", 3, "0,63,laptop,0.5,nan,170,210,200,1.1").refusal() ==
+  const std::string no_looks(1 + topobag::ColorDescriptor::kind.length(), ',');
+  CHECK(EditedSample(".nodes.csv", 3, "0,63,laptop,0.5,nan,170,210,200,1.1" + no_looks).refusal() ==
         "s.nodes.csv:3: column 'u' holds 'nan', which is not a finite number");
-  CHECK(EditedSample(".nodes.csv", 4, "0,63,lap,0.5,320,170,210,200,1.1")
+  CHECK(EditedSample(".nodes.csv", 4, "0,63,lap,0.5,320,170,210,200,1.1" + no_looks)
             .refusal()
             .find("s.nodes.csv:4: unknown class 'lap'") == 0);
   CHECK(EditedSample(".nodes.csv", 1, "idx,class_id,kind,conf,u,v,w,h,z")

@@ -113,7 +113,7 @@ TEST_CASE("several sessions go into one map, and info tells them apart", "[examp
     const Json info = Json::parse(output_of("info --json " + path));
     CHECK(info.at("keyframes") == 67 + 61);
     CHECK(info.at("file_bytes") == std::filesystem::file_size(path));
-    CHECK(info.at("graph_bytes_per_keyframe") < 250.0);
+    CHECK(info.at("graph_bytes_per_keyframe") < 800.0);  // 54 an object for its looks
     CHECK(info.at("objects").at("tv") > 50);
     const Json& sessions = info.at("sessions");
     REQUIRE(sessions.size() == 2);

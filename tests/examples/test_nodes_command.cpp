@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <topobag/sensing/color_descriptor.hpp>
+
 #include "catch.hpp"
 #include "node_table.hpp"
 #include "run_program.hpp"
@@ -101,4 +103,23 @@ TEST_CASE("a file of names may end in blank lines but not hold one", "[examples]
   const std::string holed = folder.write("holed.txt", "tv\n\nlaptop\n");
   CHECK(refusal(arguments + holed) ==
         holed + ":3: a blank or comment line above hides which number this class has");
+}
+
+TEST_CASE("nodes describes objects when it is asked to", "[examples][appearance]") {
+  const ScratchFolder folder;
+  write_sequence(folder);
+  const std::string boxes = folder.write("boxes.json", R"([
+    {"image_id": "rgb", "category_id": 72, "bbox": [10, 10, 20, 20], "score": 0.9}])");
+  const std::string arguments = "nodes --images " + folder.path() + " --boxes " + boxes +
+                                " --camera 50,50,31.5,23.5 --out " + folder.path("set");
+  const ProgramRun plain = run_program(arguments);
+  if (plain.err.find("was not built") != std::string::npos) return;  // it needs OpenCV
+  CHECK(program::read_node_table(folder.path("set")).appearance.empty());
+  CHECK(run_program(arguments + " --appearance none").exit_code == 0);
+  CHECK(program::read_node_table(folder.path("set")).appearance.empty());
+  REQUIRE(run_program(arguments + " --appearance color").exit_code == 0);
+  const program::NodeTable table = program::read_node_table(folder.path("set"));
+  CHECK(table.appearance == topobag::ColorDescriptor::name);
+  CHECK(table.frames.at(0).detections.at(0).appearance.kind() == topobag::ColorDescriptor::kind);
+  CHECK(run_program(arguments + " --appearance clip").exit_code == 2);
 }

@@ -94,3 +94,19 @@ TEST_CASE("relative poses that rounding left askew do not add up", "[graph]") {
   REQUIRE(local.graph().size() == 1);
   CHECK(local.graph().nodes()[0].position->isApprox(Eigen::Vector3d(0, 0, 2), 1e-6));
 }
+
+TEST_CASE("key frames that describe objects by another method are refused", "[graph][appearance]") {
+  LocalGraph<> local;
+  SemanticNode<> cup = object_at(1, {0, 0, 2});
+  local.add(0.0, {cup}, still);
+  cup.appearance = Appearance(AppearanceKind("a", 2), Appearance::Bytes{1, 2});
+  local.add(0.1, {cup}, still);
+  SemanticNode<> other = cup;
+  other.appearance = Appearance(AppearanceKind("b", 2), Appearance::Bytes{1, 2});
+  CHECK_THROWS_AS(local.add(0.2, {other}, still), InvalidValue);
+  CHECK(refused_node([&] { local.add(0.2, {cup, other}, still); }) == 1U);
+  CHECK(local.view_count() == 2);
+  local.add(0.2, {object_at(1, {0, 0, 2})}, still);
+  REQUIRE(local.graph().size() == 1);
+  CHECK(local.graph().appearance_kind() == cup.appearance.kind());
+}

@@ -95,3 +95,13 @@ TEST_CASE("nodes are apart by the noise along the line between them", "[graph]")
   b.covariance.setZero();
   CHECK(deviations_apart(a, b) == std::numeric_limits<double>::infinity());
 }
+
+TEST_CASE("an object looks like the mean of its sightings that say so", "[graph][appearance]") {
+  const AppearanceKind kind("plane", 2);
+  std::vector<SemanticNode<>> nodes(3, object_at(1, {0, 0, 3}));
+  CHECK_FALSE(track_of(nodes).fused(0.5).appearance.known());
+  nodes[1].appearance = Appearance(kind, Appearance::Bytes{127, 0});
+  CHECK(track_of(nodes).fused(0.5).appearance == nodes[1].appearance);
+  nodes[2].appearance = Appearance(kind, Appearance::Bytes{0, 40});
+  CHECK(track_of(nodes).fused(0.5).appearance == Appearance(kind, Appearance::Bytes{127, 127}));
+}

@@ -161,3 +161,19 @@ TEST_CASE("a view's pose that is no rigid motion is refused", "[graph]") {
   CHECK_THROWS_AS(TopologyGraph<>({}, {}, {mirrored}), InvalidValue);
   CHECK(TopologyGraph<>({}, {}, {View<>{}}).views().size() == 1);
 }
+
+TEST_CASE("the nodes of a graph are described by one method", "[graph][appearance]") {
+  std::vector<SemanticNode<>> nodes{placed(0, 0, 1), placed(1, 0, 1), placed(2, 0, 1)};
+  CHECK(TopologyGraph<>(nodes).appearance_kind() == AppearanceKind{});
+  nodes[1].appearance = Appearance(AppearanceKind("a", 2), Appearance::Bytes{1, 2});
+  CHECK(TopologyGraph<>(nodes).appearance_kind() == AppearanceKind("a", 2));
+  nodes[2].appearance = Appearance(AppearanceKind("a", 3), Appearance::Bytes{1, 2, 3});
+  try {
+    const TopologyGraph<> graph(nodes);
+    FAIL("two kinds in one graph");
+  } catch (const InvalidValue& error) {
+    CHECK(error.index() == 2U);
+    CHECK(std::string(error.what()).find("node 2 has descriptors of another kind (3 numbers)") ==
+          0);
+  }
+}

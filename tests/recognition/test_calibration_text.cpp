@@ -154,8 +154,9 @@ TEST_CASE("what is no calibration is refused with the line", "[recognition]") {
   };
   says("", 1, "no calibration");
   says("idx,timestamp\n", 1, "no calibration");
-  says(changed("calibration 1", "calibration 2"), 1, "later than this library's");
+  says(changed("calibration 1", "calibration 3"), 1, "later than this library's");
   says(changed("calibration 1", "calibration 0"), 1, "no such version");
+  says(changed("calibration 1", "calibration 2"), 14, "'appearance_kind' and its value");
   says(changed("calibration 1", "calibration one"), 1, "not a number");
   says(changed("null model", "certain negatives"), 14, "do not make its source");
   says(changed("prior 0.5", "0.5"), 4, "'prior' and its value are missing");
@@ -177,4 +178,43 @@ TEST_CASE("a count is only a claim until its scores are read", "[recognition]") 
   std::string many = changed("negative_look_ups 3", "negative_look_ups 18446744073709551615");
   many.replace(many.find("null model"), 10, "certain negatives");
   CHECK(parse_calibration(many).negatives() == std::numeric_limits<std::size_t>::max());
+}
+
+TEST_CASE("what looks say is saved with the calibration", "[recognition][appearance]") {
+  Calibration calibration = drawn_calibration(5);
+  CHECK_FALSE(calibration.appearance());
+  CHECK(to_string(calibration).find("topobag calibration 1\n") == 0);
+  AppearanceModel model;
+  model.kind = AppearanceKind("clip", 32);
+  model.table = {{0.1, -0.9}, {1.0 / 3.0, 0.1}, {0.8, 0.1}};
+  calibration.set_appearance(model);
+  const std::string text = to_string(calibration);
+  CHECK(text.find("topobag calibration 2\n") == 0);
+  const Calibration back = parse_calibration(text);
+  REQUIRE(back.appearance());
+  CHECK(back.appearance()->kind == model.kind);
+  REQUIRE(back.appearance()->table.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(back.appearance()->table[i].similarity == model.table[i].similarity);
+    CHECK(back.appearance()->table[i].log10_odds == model.table[i].log10_odds);
+  }
+  CHECK(to_string(back) == text);
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    CHECK_THROWS_AS(parse_calibration(std::string_view(text).substr(0, size)), FormatError);
+  }
+  const auto refuses = [&](const std::string& from, const std::string& to) {
+    std::string other = text;
+    other.replace(other.find(from), from.size(), to);
+    return refused(other);
+  };
+  CHECK(refuses("appearance_length 32", "appearance_length 65").find("1 to 64") !=
+        std::string::npos);
+  CHECK(refuses("appearance_points 3", "appearance_points 2").find("'end' is missing") !=
+        std::string::npos);
+  CHECK(refuses("\n0.8\n", "\n0.2\n").find("do not rise with similarity at point 2") !=
+        std::string::npos);
+  CHECK(refuses("\n0.8\n", "\ninf\n").find("do not rise") != std::string::npos);
+  model.table.push_back({0.8, 0.2});
+  CHECK_THROWS_AS(calibration.set_appearance(model), InvalidValue);
+  CHECK(calibration.appearance()->table.size() == 3);
 }

@@ -9,6 +9,7 @@
 
 #include "catch.hpp"
 #include "matching/layouts.hpp"
+#include "random_appearance.hpp"
 #include "synthetic_room.hpp"
 
 using namespace topobag;
@@ -207,4 +208,28 @@ TEST_CASE("a search that was cut short is told", "[recognition][regression]") {
   REQUIRE(explanation.candidates.size() == 1);
   CHECK_FALSE(explanation.candidates[0].complete);
   CHECK(to_string(explanation).find("cut short") != std::string::npos);
+}
+
+TEST_CASE("an explanation says what the matched objects' looks are worth",
+          "[recognition][appearance]") {
+  std::mt19937 random(3);
+  const TopologyGraph<> plain = noisy_graph(random, 8, 4);
+  const TopologyGraph<> candidate = with_appearance(random, plain, ColorDescriptor::kind);
+  const TopologyGraph<> query = with_appearance(random, plain, ColorDescriptor::kind);
+  const RecognitionOptions options;
+  CandidateReport report;
+  report.pose = match_graphs(candidate, query, options.matching).poses.at(0);
+  const CandidateExplanation explanation =
+      explain_candidate(report, candidate, query, ClassCatalog::coco80(), options);
+  REQUIRE(explanation.matched.size() >= 6);
+  std::size_t compared = 0;
+  for (const ExplainedMatch& match : explanation.matched) {
+    const Appearance& there = candidate.node(match.candidate).appearance;
+    const Appearance& here = query.node(match.query).appearance;
+    CHECK(match.looks.has_value() == (there.known() && here.known()));
+    if (!match.looks) continue;
+    CHECK(*match.looks == options.matching.chance.appearance.log10_odds(there, here));
+    ++compared;
+  }
+  CHECK(compared > 0);
 }

@@ -38,7 +38,9 @@ TEST_CASE("an explanation in words", "[recognition]") {
   candidate.confidence = 0.75;
   candidate.stages = {{"objects that agree", true, 4, 3, true, {}},
                       {"score", false, -0.4, 0.05, true, {}}};
-  candidate.matched = {{node_index(0), node_index(1), "tv", "laptop", 0.04, 1.25}};
+  candidate.matched = {{node_index(0), node_index(1), "tv", "laptop", 0.04, 1.25, -0.6},
+                       {node_index(1), node_index(2), "cup", "cup", 0.04, 1.25, 0.35},
+                       {node_index(2), node_index(3), "book", "book", 0.04, 1.25, {}}};
   candidate.missing = {{node_index(3), true, "vase", {0, 0, 3}, 2, 0, 0.3},
                        {node_index(2), false, "cup", {0, 0, 3}, 1, 1, 0.25}};
   ObjectChange change;
@@ -50,7 +52,9 @@ TEST_CASE("an explanation in words", "[recognition]") {
   CHECK(says(text, "P(true) 0.7500"));
   CHECK(says(text, "passed  objects that agree"));
   CHECK(says(text, "failed  score: -0.40 of at least 0.05, missed by 0.45"));
-  CHECK(says(text, "matched tv as laptop, off by 0.04 m"));
+  CHECK(says(text, "matched tv as laptop, off by 0.04 m (1.25 deviations), looks unlike, -0.60\n"));
+  CHECK(says(text, "matched cup, off by 0.04 m (1.25 deviations), looks alike, +0.35\n"));
+  CHECK(says(text, "matched book, off by 0.04 m (1.25 deviations)\n"));
   CHECK(says(text,
              "missing vase of the candidate, expected in 2 views by detected boxes, costs 0.30"));
   CHECK(says(text, "missing cup of the query, expected in 1 view by measured depth, costs 0.25"));

@@ -54,6 +54,23 @@ struct topobag::detection_traits<HeldLabel> {
   static double confidence(const HeldLabel&) { return 1.0; }
 };
 
+struct NamedBox {
+  ForeignBox box;
+  float look[2];
+};
+
+template <>
+struct topobag::detection_traits<NamedBox> : topobag::detection_traits<ForeignBox> {
+  static BoundingBox box(const NamedBox& d) { return detection_traits<ForeignBox>::box(d.box); }
+  static ClassId label(const NamedBox& d) { return detection_traits<ForeignBox>::label(d.box); }
+  static double confidence(const NamedBox& d) {
+    return detection_traits<ForeignBox>::confidence(d.box);
+  }
+  static Appearance appearance(const NamedBox& d) {
+    return Appearance(AppearanceKind("look", 2), Eigen::Vector2f(d.look[0], d.look[1]));
+  }
+};
+
 using namespace topobag;
 
 static_assert(is_detection_v<Detection>);
@@ -79,4 +96,13 @@ TEST_CASE("the library's own detection is handed out without a copy", "[types]")
 
 TEST_CASE("a label may be handed out by reference", "[types][regression]") {
   STATIC_REQUIRE(is_detection_v<HeldLabel>);
+}
+
+TEST_CASE("a detection may say what its object looks like", "[types][appearance]") {
+  STATIC_REQUIRE(is_detection_v<NamedBox>);
+  STATIC_REQUIRE(is_described_detection_v<NamedBox>);
+  STATIC_REQUIRE_FALSE(is_described_detection_v<ForeignBox>);
+  const NamedBox seen{{10.0F, 20.0F, 4.0F, 6.0F, 62, 0.5F}, {2.0F, -1.0F}};
+  CHECK(appearance_of(seen) == Appearance(AppearanceKind("look", 2), Appearance::Bytes{127, -64}));
+  CHECK_FALSE(appearance_of(seen.box).known());
 }

@@ -14,4 +14,5 @@ TEMPLATE_TEST_CASE("a new node claims nothing that was not measured", "[types]",
   CHECK(node.size.isZero(0));
   CHECK(node.confidence == TestType(1));
   CHECK(node.existence == TestType(1));
+  CHECK_FALSE(node.appearance.known());
 }

@@ -9,6 +9,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <topobag/adaptors/opencv.hpp>
+#include <topobag/sensing/color_descriptor.hpp>
+#include <topobag/sensing/describe_detections.hpp>
 #include <topobag/sensing/range_detections.hpp>
 
 #include "camera_option.hpp"
@@ -72,6 +74,7 @@ DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const Detection
   if (!source.boxes) network.emplace(source.model, source.classes, source.yolo);
   Progress progress(frames.size(), "images");
   DetectedNodes detected;
+  if (source.colors) detected.table.appearance = topobag::ColorDescriptor::name;
   for (const RgbdFrame& frame : frames) {
     const cv::Mat rgb = read_image(frame.rgb, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     require_size(rgb, frame.rgb, camera);
@@ -82,10 +85,13 @@ DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const Detection
     row.name = std::filesystem::path(frame.rgb).filename().string();
     row.timestamp = frame.timestamp;
     row.T_world_camera = frame.T_world_camera;
-    row.detections =
-        topobag::range_detections(network ? (*network)(rgb) : source.boxes->of_image[i],
-                                  topobag::DepthImage(depth, depth_scale), camera);
+    const topobag::DepthImage depths(depth, depth_scale);
+    row.detections = topobag::range_detections(
+        network ? (*network)(rgb) : source.boxes->of_image[i], depths, camera);
     detected.outside += drop_outside(row.detections);
+    if (source.colors) {
+      topobag::describe_detections(row.detections, topobag::color_image(rgb), depths);
+    }
     detected.table.frames.push_back(std::move(row));
     progress.step();
   }

@@ -19,6 +19,7 @@
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/error.hpp>
+#include <topobag/types/appearance.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -88,7 +89,9 @@ class SqliteBag {
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
     require_new(id);
     Row row = row_of(id, graph, info);
+    const AppearanceKind kind = kind_with(appearance_kind_, graph);
     change([&] { put(detail::sqlite_insert, row); });
+    appearance_kind_ = kind;
     bag_.add(id, std::move(row.graph), as_read(row.entry.info));
   }
 
@@ -100,8 +103,10 @@ class SqliteBag {
   template <typename Run>
   std::uint32_t add_session(const std::string& name, const Run& run) {
     std::vector<Row> rows;
+    AppearanceKind kind = appearance_kind_;
     run.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
       require_new(id);
+      kind = kind_with(kind, graph);
       rows.push_back(row_of(id, graph, info));
     });
     std::uint32_t session = 0;
@@ -112,6 +117,7 @@ class SqliteBag {
         put(detail::sqlite_insert, row);
       }
     });
+    appearance_kind_ = kind;
     for (Row& row : rows) {
       bag_.add(row.entry.id, std::move(row.graph), as_read(row.entry.info));
     }
@@ -125,7 +131,9 @@ class SqliteBag {
                       " is not in the map: use add");
     }
     Row row = row_of(id, graph, info);
+    const AppearanceKind kind = kind_with(appearance_kind_, graph);
     change([&] { put(detail::sqlite_update, row); });
+    appearance_kind_ = kind;
     bag_.update(id, std::move(row.graph), as_read(row.entry.info));
   }
 
@@ -184,6 +192,11 @@ class SqliteBag {
     return row;
   }
 
+  /// Asked before a row is written: the file is not to hold what the bag refuses.
+  static AppearanceKind kind_with(AppearanceKind known, const Graph& graph) {
+    return common_kind(known, graph.appearance_kind(), "the key frame");
+  }
+
   /// With the pose as its columns keep it.
   static EntryInfo as_read(EntryInfo info) {
     if (auto& T = info.T_world_camera) T = detail::pose_of(detail::pose_columns(T));
@@ -214,7 +227,9 @@ class SqliteBag {
     while (rows.step()) {
       try {
         detail::EntryRecord entry = detail::read_row(rows);
-        bag_.add(entry.id, decode<typename Graph::Scalar>(entry.graph), std::move(entry.info));
+        Graph graph = decode<typename Graph::Scalar>(entry.graph);
+        appearance_kind_ = kind_with(appearance_kind_, graph);
+        bag_.add(entry.id, std::move(graph), std::move(entry.info));
       } catch (const Error& error) {
         throw FormatError(path() + ": key frame " +
                           std::to_string(static_cast<std::uint64_t>(rows.integer(0))) +
@@ -227,6 +242,7 @@ class SqliteBag {
   detail::SqliteConnection connection_;
   std::optional<detail::SqliteStatement> insert_, update_;
   std::int64_t data_version_ = 0;
+  AppearanceKind appearance_kind_;  ///< of all descriptors in the file
   Bag bag_;
 };
 

@@ -47,13 +47,16 @@ class BagOfTopologyGraphs {
   explicit BagOfTopologyGraphs(Similarity similarity = {}) : similarity_(std::move(similarity)) {}
 
   /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
-  /// as `EntryInfo::validate` and, of a `TopologyGraph`, `require_savable`. O(log n + descriptor).
+  /// as `EntryInfo::validate` and, of a `TopologyGraph`, `require_savable` and for descriptors of
+  /// another kind than the bag's. O(log n + descriptor).
   void add(KeyframeId id, Graph graph, EntryInfo info = {}) {
     if (contains(id)) {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
+    const AppearanceKind kind = kind_with(graph);
     auto entry = make_entry(std::move(graph), std::move(info));
+    appearance_kind_ = kind;
     place(id, *entries_.emplace(id, std::move(entry)).first->second);
   }
 
@@ -63,7 +66,9 @@ class BagOfTopologyGraphs {
     if (it == entries_.end()) {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
+    const AppearanceKind kind = kind_with(graph);
     auto entry = make_entry(std::move(graph), std::move(info));
+    appearance_kind_ = kind;
     displace(id, *it->second);
     it->second = std::move(entry);
     place(id, *it->second);
@@ -82,6 +87,7 @@ class BagOfTopologyGraphs {
     places_.clear();
     cameras_.clear();
     index_.clear();
+    appearance_kind_ = {};
   }
 
   bool contains(KeyframeId id) const { return entries_.count(id) != 0; }
@@ -93,6 +99,9 @@ class BagOfTopologyGraphs {
   std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
     return places_.contents().holding(objects, groups, places());
   }
+
+  /// The one kind of the descriptors that were added; of length 0 where none was.
+  AppearanceKind appearance_kind() const noexcept { return appearance_kind_; }
 
   /// The key frame's graph, or nothing.
   std::optional<Graph> find(KeyframeId id) const {
@@ -190,6 +199,14 @@ class BagOfTopologyGraphs {
     typename KeyOf<Similarity>::type key;
   };
 
+  AppearanceKind kind_with([[maybe_unused]] const Graph& graph) const {
+    if constexpr (detail::is_topology_graph_v<Graph>) {
+      return common_kind(appearance_kind_, graph.appearance_kind(), "the key frame");
+    } else {
+      return {};
+    }
+  }
+
   std::shared_ptr<Entry> make_entry(Graph graph, EntryInfo info) const {
     info.validate();
     if constexpr (detail::is_topology_graph_v<Graph>) require_savable(graph);
@@ -228,6 +245,7 @@ class BagOfTopologyGraphs {
   std::map<KeyframeId, std::shared_ptr<Entry>> entries_;  ///< for_each's stay while it walks
   PlaceCount places_;
   detail::CameraGrid cameras_;
+  AppearanceKind appearance_kind_;
   std::conditional_t<indexed, detail::HistogramIndex, Nothing> index_;
 };
 

@@ -41,6 +41,8 @@ class BasicBagView {
   std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
     return parts_.contents->holding(objects, groups, parts_.places);
   }
+  /// The one kind of the descriptors in the bag; of length 0 where none carries one.
+  AppearanceKind appearance_kind() const noexcept { return parts_.appearance_kind; }
   bool contains(KeyframeId id) const { return parts_.find(id).has_value(); }
 
   /// The key frame's graph as it is stored, or nothing.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/bag/detail/appearance_code.hpp>
 #include <topobag/bag/detail/bit_reader.hpp>
 #include <topobag/bag/detail/bit_writer.hpp>
 #include <topobag/bag/detail/edge_code.hpp>
@@ -26,21 +27,21 @@ inline namespace v0 {
 inline constexpr unsigned graph_codec_version = 2;
 
 /// What `encode` writes the graph in: the least version that can hold it, so that nothing grows and
-/// an older topobag reads what it can. 1, and 2 with gravity.
+/// an older topobag reads what it can. 1, and 2 with gravity or appearance.
 template <typename Scalar>
 unsigned codec_version_for(const TopologyGraph<Scalar>& graph) noexcept {
-  return graph.gravity() ? 2 : 1;
+  return graph.gravity() || graph.appearance_kind().length() > 0 ? 2 : 1;
 }
 
 /// A graph in few bytes: some 180 for 12 objects, the views not counted. The same bytes on every
 /// machine; for memory, file, data base and radio alike.
 ///
-/// Kept exactly: order, classes, edges, what is absent. Rounded, by at most: positions and depths
-/// 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm; pixels a half; confidence
-/// and existence 0.004; standard deviations 4.5 % along the viewing ray and across it, which is the
-/// shape that `NodeNoise` gives a covariance and to which any other is rounded off. Of views:
-/// translation 2 mm, rotation 0.2 mrad an axis (within 1 mrad of half a turn 1.2 mrad in all),
-/// intrinsics 1/32 px, boxes half a pixel. Of gravity: direction 0.3 mrad, deviation 4.5 %.
+/// Kept exactly: order, classes, edges, appearance, what is absent. Rounded, by at most: positions
+/// and depths 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm; pixels a half;
+/// confidence and existence 0.004; standard deviations 4.5 % along the viewing ray and across it,
+/// which is the shape that `NodeNoise` gives a covariance and to which any other is rounded off. Of
+/// views: translation 2 mm, rotation 0.2 mrad an axis (within 1 mrad of half a turn 1.2 mrad in
+/// all), intrinsics 1/32 px, boxes half a pixel. Of gravity: direction 0.3 mrad, deviation 4.5 %.
 /// Saturated: pixels and boxes at ±2^20 px, negative sizes at 0, confidence to [0, 1], existence to
 /// [1/127, 1], standard deviations to [1 mm, 64 m], gravity's to [0.24 mrad, 14.7 rad].
 ///
@@ -55,11 +56,13 @@ std::vector<std::uint8_t> encode(const TopologyGraph<Scalar>& graph,
   header.version = codec_version_for(graph);
   header.views = with_views;
   header.gravity = graph.gravity().has_value();
+  header.appearance = graph.appearance_kind().length() > 0;
   detail::put_header(writer, header);
   detail::NodeColumns(graph.nodes()).put(writer);
   detail::put_edges(writer, graph.edges(), graph.size());
   if (with_views) detail::ViewColumns(graph.views()).put(writer);
   if (graph.gravity()) detail::put_gravity(writer, *graph.gravity());
+  if (header.appearance) detail::put_appearances(writer, graph.nodes(), graph.appearance_kind());
   return writer.take();
 }
 
@@ -74,17 +77,13 @@ TopologyGraph<Scalar> decode(const std::uint8_t* data, std::size_t size) {
                       "; this version of topobag reads up to " +
                       std::to_string(graph_codec_version) + ": update topobag, or it is no graph");
   }
-  if (header.appearance) {
-    throw FormatError(
-        "a graph with appearance, a format that this version of topobag does not know: update "
-        "topobag, or it is no graph");
-  }
   auto nodes = detail::NodeColumns(reader).nodes<Scalar>();
   EdgeList edges = detail::get_edges(reader, nodes.size());
   std::vector<View<Scalar>> views;
   if (header.views) views = detail::ViewColumns(reader).template views<Scalar>();
   std::optional<Gravity<Scalar>> gravity;
   if (header.gravity) gravity = detail::get_gravity<Scalar>(reader);
+  if (header.appearance) detail::get_appearances(reader, nodes);
   reader.finish();
   return TopologyGraph<Scalar>(std::move(nodes), std::move(edges), std::move(views), gravity);
 }

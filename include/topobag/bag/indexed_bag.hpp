@@ -70,13 +70,14 @@ class BasicIndexedBag {
   }
 
   /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
-  /// as `EntryInfo::validate` and `require_savable`. O(n² + log n) for n nodes, amortised.
+  /// as `EntryInfo::validate` and `require_savable`, and for descriptors of another kind than the
+  /// bag's. O(n² + log n) for n nodes, amortised.
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
     if (contains(id)) {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
-    detail::BagParts next = parts();
+    detail::BagParts next = with_kind_of(graph);
     detail::append(next, make_entry(id, graph, info), *similarity_);
     places_.add(id, info, class_counts(graph.nodes()));
     publish(std::move(next));
@@ -89,7 +90,7 @@ class BasicIndexedBag {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
     detail::HeadBlock::Entry entry = make_entry(id, graph, info);
-    detail::BagParts next = parts();
+    detail::BagParts next = with_kind_of(graph);
     const auto [info_before, objects_before] = placed(next, *place);
     detail::remove(next, *place, *similarity_);
     detail::append(next, std::move(entry), *similarity_);
@@ -119,11 +120,13 @@ class BasicIndexedBag {
   /// Adds all entries of another bag. Ids that are free are kept; the others become the numbers
   /// after the greatest of both bags, in their order. Views come along where this bag keeps them.
   /// Returns where each id went. Throws InvalidValue when the ids run out, when `T_world_other` is
-  /// no rigid motion or a pose becomes infinite, and InvalidId when the sessions run out. O(n log
-  /// n).
+  /// no rigid motion or a pose becomes infinite, for descriptors of another kind, and InvalidId
+  /// when the sessions run out. O(n log n).
   std::map<KeyframeId, KeyframeId> merge(const View& other, const MergeOptions& options = {}) {
     if (options.T_world_other) require_rigid(*options.T_world_other, "T_world_other");
     const detail::BagParts& theirs = other.parts_;
+    const AppearanceKind kind =
+        common_kind(parts().appearance_kind, theirs.appearance_kind, "the other bag");
     std::map<KeyframeId, KeyframeId> new_ids = detail::free_ids(parts(), theirs);
     detail::BagParts next = detail::sealed(parts(), *similarity_);
     detail::PartBuilder<Similarity> builder(*similarity_);
@@ -146,6 +149,7 @@ class BasicIndexedBag {
     auto sealed_parts = std::make_shared<detail::BagParts::Sealed>(*next.sealed);
     for (detail::SealedPart& part : builder.finish()) sealed_parts->push_back(std::move(part));
     next.sealed = std::move(sealed_parts);
+    next.appearance_kind = kind;
     next.live += theirs.live;
     recount(next);
     publish(std::move(next));
@@ -160,6 +164,7 @@ class BasicIndexedBag {
     detail::BagParts next;
     next.sealed = std::make_shared<const detail::BagParts::Sealed>(builder.finish());
     next.live = old.live;
+    next.appearance_kind = old.appearance_kind;
     publish(std::move(next));
   }
 
@@ -171,6 +176,8 @@ class BasicIndexedBag {
   std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
     return view()->places_holding(objects, groups);
   }
+  /// The one kind of the descriptors that were added; of length 0 where none was.
+  AppearanceKind appearance_kind() const { return view()->appearance_kind(); }
   bool contains(KeyframeId id) const { return view()->contains(id); }
   std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }
   std::optional<EntryInfo> info(KeyframeId id) const { return view()->info(id); }
@@ -186,6 +193,14 @@ class BasicIndexedBag {
  private:
   /// For the writer, who alone replaces the view.
   const detail::BagParts& parts() const { return view_->parts_; }
+
+  /// The parts as they are, ready for the graph's descriptors.
+  detail::BagParts with_kind_of(const Graph& graph) const {
+    detail::BagParts next = parts();
+    next.appearance_kind =
+        common_kind(next.appearance_kind, graph.appearance_kind(), "the key frame");
+    return next;
+  }
 
   /// Counts the places of `parts` anew. O(n log places).
   void recount(const detail::BagParts& parts) {

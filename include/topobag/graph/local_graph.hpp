@@ -52,7 +52,7 @@ class LocalGraph {
   /// @param gravity             which way is down in the key frame's camera frame, where it knows
   /// Throws InvalidValue for a stamp that goes back, for a pose that is no rigid motion, a camera
   /// that is not finite, and, with its index, for a node that a graph would refuse, and a gravity
-  /// alike. O(objects² + objects · nodes).
+  /// alike, or descriptors of another kind than before. O(objects² + objects · nodes).
   void add(double stamp, const std::vector<Node>& nodes, const Pose& T_previous_current,
            View<Scalar> view = {}, std::optional<Gravity<Scalar>> gravity = std::nullopt) {
     require_seconds(stamp);
@@ -68,6 +68,7 @@ class LocalGraph {
     }
     if (view.camera.fx != Scalar(0)) view.camera.validate();
     const TopologyGraph<Scalar> shown(nodes, {}, {}, gravity);
+    appearance_kind_ = common_kind(appearance_kind_, shown.appearance_kind(), "the key frame");
     const std::vector<Node> sighted = placed(shown);
     if (!frames_.empty()) move_to_frame(T_current_previous);
     forget_before(stamp - options_.window);
@@ -168,6 +169,7 @@ class LocalGraph {
   std::deque<Frame> frames_;  ///< oldest first
   detail::ObjectTracks<Scalar> tracks_;
   std::size_t next_view_ = 0;
+  AppearanceKind appearance_kind_;  ///< of all key frames so far
 };
 
 }  // namespace v0

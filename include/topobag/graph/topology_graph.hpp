@@ -15,6 +15,7 @@
 #include <topobag/error.hpp>
 #include <topobag/graph/gravity.hpp>
 #include <topobag/graph/view.hpp>
+#include <topobag/types/appearance.hpp>
 #include <topobag/types/rigid_motion.hpp>
 #include <topobag/types/semantic_node.hpp>
 
@@ -38,16 +39,19 @@ class TopologyGraph {
   /// @param views    the cameras that looked for the nodes; may be empty (see `View`)
   /// @param gravity  which way is down, in the graph's frame, where it is known
   /// Throws InvalidValue with the node's or edge's index for a number that is not finite, a
-  /// covariance that is neither zero nor positive definite, an edge from a node to itself, or an
-  /// end beyond the nodes; for a view's pose that is no rigid motion; and as `normalized` does of
-  /// the gravity. O(n + m log m).
+  /// covariance that is neither zero nor positive definite, an appearance of another kind than that
+  /// of a node before, an edge from a node to itself, or an end beyond the nodes; for a view's pose
+  /// that is no rigid motion; and as `normalized` does of the gravity. O(n + m log m).
   explicit TopologyGraph(std::vector<Node> nodes, EdgeList edges = {},
                          std::vector<View<Scalar>> views = {},
                          std::optional<Gravity<Scalar>> gravity = std::nullopt)
       : nodes_(std::move(nodes)), views_(std::move(views)) {
     if (gravity) gravity_ = normalized(*gravity);
     for (const View<Scalar>& view : views_) require_rigid(view.T_graph_camera, "a view's pose");
-    for (std::size_t i = 0; i < nodes_.size(); ++i) require_valid(nodes_[i], i);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      require_valid(nodes_[i], i);
+      appearance_kind_ = common_kind(appearance_kind_, nodes_[i].appearance.kind(), "node", i);
+    }
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (edges[i].a == edges[i].b || value(edges[i].a) >= nodes_.size() ||
           value(edges[i].b) >= nodes_.size()) {
@@ -82,6 +86,9 @@ class TopologyGraph {
 
   /// Which way is down, in the graph's frame; nothing where it is not known.
   const std::optional<Gravity<Scalar>>& gravity() const noexcept { return gravity_; }
+
+  /// The one kind of the descriptors that nodes carry; of length 0 where none carries one.
+  AppearanceKind appearance_kind() const noexcept { return appearance_kind_; }
 
   /// Whether there is enough to fit a pose: three nodes with a position.
   bool is_matchable() const noexcept {
@@ -119,6 +126,7 @@ class TopologyGraph {
   std::vector<Scalar> lengths_;
   std::vector<View<Scalar>> views_;
   std::optional<Gravity<Scalar>> gravity_;
+  AppearanceKind appearance_kind_;
 };
 
 /// Whether `Builder` is an edge builder over nodes of `Scalar` (C++20: `concept EdgeBuilder`).

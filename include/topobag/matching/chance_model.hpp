@@ -15,6 +15,7 @@
 #include <Eigen/LU>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
@@ -44,7 +45,8 @@ inline namespace v0 {
 /// their heights. (Strewn through space, rooms with nothing in common reached odds of 10⁶ to one.)
 ///
 /// The widths and the heights of the paired objects speak as well (`SizePrior`); on real detections
-/// the two sides err apart (their errors correlate by 0.1 to 0.2).
+/// the two sides err apart (their errors correlate by 0.1 to 0.2). So do their looks, where both
+/// are known (`AppearanceModel`).
 struct ChanceModel {
   double fill = 1.5;  ///< area that chance fills, in rectangles of the matched objects' scatter
   double min_extent = 0.10;      ///< m, of each of its sides
@@ -53,6 +55,7 @@ struct ChanceModel {
   double relabeling = 0.45;      ///< −log10 P of the label of a pair of two classes of one group
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's
+  AppearanceModel appearance{};               ///< what the looks of a pair say
 
   /// −log10 of the expected number of false matches. 0 for fewer than three pairs, or two where the
   /// vertical is known. O(n + k).
@@ -70,6 +73,7 @@ struct ChanceModel {
     double significance =
         log10_bayes_factor(points, pose, vertical) - log10_ways(candidate, query, pairs, groups);
     SizeEvidence sizes_so_far(sizes);
+    double looks = 0.0;  // log10 odds of the pairs, added up
     for (const Correspondence& pair : pairs) {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
@@ -77,7 +81,9 @@ struct ChanceModel {
         significance -= confusion ? confusion->cost(p.label, q.label) : relabeling;
       }
       significance += sizes_so_far.log10_factor(p.label, p.size, q.size);
+      looks += appearance.log10_odds(p.appearance, q.appearance);
     }
+    if (looks != 0.0) significance += appearance.log10_odds_together(looks);
     // Not so where rounding leaves the covariance of a pose, or of a pair, without a root.
     return std::isfinite(significance) ? significance : std::numeric_limits<double>::lowest();
   }

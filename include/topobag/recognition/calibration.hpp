@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <topobag/error.hpp>
+#include <topobag/matching/appearance_model.hpp>
 #include <topobag/recognition/false_scores.hpp>
 
 namespace topobag {
@@ -131,6 +132,16 @@ class Calibration {
     return answer;
   }
 
+  /// Keeps what looks say, as learnt with the rest (`AppearanceCounts::model`). Throws as its
+  /// `validate`.
+  void set_appearance(AppearanceModel model) {
+    model.validate();
+    appearance_ = std::move(model);
+  }
+
+  /// What looks say, for `MatchOptions::chance`; nothing where that was not learnt.
+  const std::optional<AppearanceModel>& appearance() const noexcept { return appearance_; }
+
   /// What it was made with.
   const CalibrationOptions& options() const noexcept { return options_; }
 
@@ -152,6 +163,7 @@ class Calibration {
   FalseScores negatives_;
   FalseScores null_;
   std::size_t repeats_ = 0;
+  std::optional<AppearanceModel> appearance_;
 };
 
 }  // namespace v0

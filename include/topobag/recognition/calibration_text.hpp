@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -19,7 +21,7 @@ inline namespace v0 {
 namespace detail {
 
 inline constexpr std::string_view calibration_title = "topobag calibration ";
-inline constexpr std::size_t calibration_version = 1;
+inline constexpr std::size_t calibration_version = 2;  // the latest; 1 has no appearance
 
 /// The shortest text that reads back as the same number, whatever the locale.
 template <typename Number>
@@ -99,7 +101,36 @@ inline FalseScores read_scores(CalibrationLines& lines, const std::string& key) 
   }
 }
 
-inline void read_version(CalibrationLines& lines, std::string_view text) {
+inline void append_appearance(std::string& text, const AppearanceModel& model) {
+  text += "appearance_kind " + exact_text(model.kind.number()) + '\n';
+  text += "appearance_length " + exact_text(model.kind.length()) + '\n';
+  text += "appearance_points " + exact_text(model.table.size()) + '\n';
+  for (const AppearanceOdds& point : model.table) {
+    text += exact_text(point.similarity) + '\n' + exact_text(point.log10_odds) + '\n';
+  }
+}
+
+inline AppearanceModel read_appearance(CalibrationLines& lines) {
+  const auto kind = lines.number<std::uint32_t>(lines.behind("appearance_kind"));
+  const auto length = lines.number<std::size_t>(lines.behind("appearance_length"));
+  const auto count = lines.number<std::size_t>(lines.behind("appearance_points"));
+  AppearanceModel model;
+  model.table.clear();
+  while (model.table.size() < count) {  // not reserved: the count is a claim
+    const auto similarity = lines.number<double>(lines.next());
+    model.table.push_back({similarity, lines.number<double>(lines.next())});
+  }
+  try {
+    model.kind = AppearanceKind(kind, length);
+    model.validate();
+  } catch (const InvalidValue& error) {
+    lines.fail(std::string(error.what()) + '.');
+  }
+  return model;
+}
+
+/// The version of the text.
+inline std::size_t read_version(CalibrationLines& lines, std::string_view text) {
   if (text.substr(0, calibration_title.size()) != calibration_title) {
     throw FormatError("calibration, line 1: this is no calibration.", 1);
   }
@@ -108,18 +139,19 @@ inline void read_version(CalibrationLines& lines, std::string_view text) {
     lines.fail("it is of version " + std::to_string(version) + ", later than this library's, " +
                std::to_string(calibration_version) + '.');
   }
-  if (version != calibration_version) lines.fail("there is no such version.");
+  if (version == 0) lines.fail("there is no such version.");
+  return version;
 }
 
 }  // namespace detail
 
-/// A calibration as text, a value on each line: its version, what it goes by, its options, the
-/// look-ups and their scores. `parse_calibration` turns it back into the same one, to the last bit;
-/// no locale has a say. O(n).
+/// A calibration as text, a value on each line: its version, the least that holds it, what it goes
+/// by, its options, the look-ups and their scores, and what looks say where that was learnt.
+/// `parse_calibration` turns it back into the same one, to the last bit; no locale has a say. O(n).
 inline std::string to_string(const Calibration& calibration) {
   const CalibrationOptions& options = calibration.options();
   std::string text(detail::calibration_title);
-  text += detail::exact_text(detail::calibration_version) + '\n';
+  text += calibration.appearance() ? "2\n" : "1\n";
   text += "source " + std::string(to_string(calibration.source())) + '\n';
   text += "min_negatives " + detail::exact_text(options.min_negatives) + '\n';
   text += "prior " + detail::exact_text(options.prior) + '\n';
@@ -127,6 +159,7 @@ inline std::string to_string(const Calibration& calibration) {
   text += "repeats " + detail::exact_text(calibration.repeats()) + '\n';
   detail::append_scores(text, "negative", calibration.negative_scores());
   detail::append_scores(text, "null", calibration.null_scores());
+  if (calibration.appearance()) detail::append_appearance(text, *calibration.appearance());
   return text + "end\n";
 }
 
@@ -135,7 +168,7 @@ inline std::string to_string(const Calibration& calibration) {
 /// O(n log n).
 inline Calibration parse_calibration(std::string_view text) {
   detail::CalibrationLines lines(text);
-  detail::read_version(lines, text);
+  const std::size_t version = detail::read_version(lines, text);
   const std::string source(lines.behind("source"));
   CalibrationOptions options;
   options.min_negatives = lines.number<std::size_t>(lines.behind("min_negatives"));
@@ -144,6 +177,8 @@ inline Calibration parse_calibration(std::string_view text) {
   const auto repeats = lines.number<std::size_t>(lines.behind("repeats"));
   FalseScores negatives = detail::read_scores(lines, "negative");
   FalseScores null = detail::read_scores(lines, "null");
+  std::optional<AppearanceModel> appearance;
+  if (version == 2) appearance = detail::read_appearance(lines);
   if (lines.next() != "end") lines.fail("'end' is missing.");
   try {
     Calibration calibration(options, std::move(negatives), std::move(null), repeats);
@@ -151,6 +186,7 @@ inline Calibration parse_calibration(std::string_view text) {
       lines.fail("the look-ups do not make its source '" + source + "'.");
     }
     lines.require_end();
+    if (appearance) calibration.set_appearance(*appearance);
     return calibration;
   } catch (const InvalidValue& error) {
     lines.fail(std::string(error.what()) + '.');

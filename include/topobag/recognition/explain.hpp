@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/point_pair.hpp>
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/explanation.hpp>
@@ -21,6 +22,11 @@ namespace detail {
 
 inline std::string class_name(const ClassCatalog& catalog, ClassId label) {
   return catalog.contains(label) ? catalog.name(label) : "class " + std::to_string(value(label));
+}
+
+inline std::optional<double> looks_of(const AppearanceModel& model, const Appearance& a,
+                                      const Appearance& b) {
+  return model.compares(a, b) ? std::make_optional(model.log10_odds(a, b)) : std::nullopt;
 }
 
 /// Whether the graphs have the nodes that the report names: a candidate may be another by now.
@@ -126,9 +132,11 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
     const auto& there = candidate.node(pair.candidate);
     const auto& here = query.node(pair.query);
     const PointPair points = point_pair(there, here);
-    explanation.matched.push_back({pair.candidate, pair.query, name(there), name(here),
-                                   points.residual(pose.T_candidate_query).norm(),
-                                   std::sqrt(points.squared_deviation(pose.T_candidate_query))});
+    explanation.matched.push_back(
+        {pair.candidate, pair.query, name(there), name(here),
+         points.residual(pose.T_candidate_query).norm(),
+         std::sqrt(points.squared_deviation(pose.T_candidate_query)),
+         detail::looks_of(options.matching.chance.appearance, there.appearance, here.appearance)});
   }
   for (const MissingObject& missing : pose.missing) {
     const auto& node = (missing.of_candidate ? candidate : query).node(missing.node);

@@ -40,6 +40,7 @@ struct ExplainedMatch {
   std::string query_class;      ///< class of the query's node
   double distance = 0.0;        ///< under the pose, m
   double deviations = 0.0;      ///< the same in standard deviations
+  std::optional<double> looks;  ///< log10 odds of what they look like; nothing where not known
 };
 
 /// An object that was expected and is missing.
@@ -117,7 +118,12 @@ inline std::string to_string(const CandidateExplanation& candidate) {
   for (const ExplainedMatch& match : candidate.matched) {
     out << "  matched " << match.candidate_class;
     if (match.query_class != match.candidate_class) out << " as " << match.query_class;
-    out << ", off by " << match.distance << " m (" << match.deviations << " deviations)\n";
+    out << ", off by " << match.distance << " m (" << match.deviations << " deviations)";
+    if (match.looks) {
+      out << ", looks " << (*match.looks < 0.0 ? "unlike, " : "alike, ") << std::showpos
+          << *match.looks << std::noshowpos;
+    }
+    out << '\n';
   }
   for (const ExplainedMissing& missing : candidate.missing) {
     const bool by_depth = missing.measured_views > 0;

@@ -153,6 +153,7 @@ LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth
         continue;
       }
       node.confidence = static_cast<Scalar>(confidence);
+      node.appearance = appearance_of(detection);
       lifted.nodes.push_back(std::move(node));
       lifted.sources.push_back(index);
     }

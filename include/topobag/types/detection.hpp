@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <topobag/types/appearance.hpp>
 #include <topobag/types/bounding_box.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -29,6 +30,10 @@ struct Detection {
 /// and, where the front end knows the object's depth already (stereo, map points, a table),
 ///
 ///     static std::optional<double> depth(const T&);   // metres along the optical axis
+///
+/// and, where it describes what the object looks like (a re-identification network, CLIP),
+///
+///     static Appearance appearance(const T&);         // unknown where it has none
 template <typename T>
 struct detection_traits {};
 
@@ -79,6 +84,15 @@ struct is_ranged_detection<
            decltype(detection_traits<T>::depth(std::declval<const T&>())), std::optional<double>>>>
     : is_detection<T> {};
 
+template <typename T, typename = void>
+struct is_described_detection : std::false_type {};
+
+template <typename T>
+struct is_described_detection<
+    T, std::enable_if_t<std::is_convertible_v<
+           decltype(detection_traits<T>::appearance(std::declval<const T&>())), Appearance>>>
+    : is_detection<T> {};
+
 }  // namespace detail
 
 /// Whether `T` fits the detection concept (C++20: `concept DetectionType`).
@@ -88,6 +102,20 @@ inline constexpr bool is_detection_v = detail::is_detection<T>::value;
 /// Whether `T` is a detection that knows its own depth.
 template <typename T>
 inline constexpr bool is_ranged_detection_v = detail::is_ranged_detection<T>::value;
+
+/// Whether `T` is a detection that says what its object looks like.
+template <typename T>
+inline constexpr bool is_described_detection_v = detail::is_described_detection<T>::value;
+
+/// What the detection says of its object's looks; unknown where `T` says nothing.
+template <typename T>
+Appearance appearance_of(const T& detection) {
+  if constexpr (is_described_detection_v<T>) {
+    return detection_traits<T>::appearance(detection);
+  } else {
+    return {};
+  }
+}
 
 }  // namespace v0
 }  // namespace topobag

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include <topobag/types/appearance.hpp>
 #include <topobag/types/bounding_box.hpp>
 #include <topobag/types/detection.hpp>
 #include <topobag/types/ids.hpp>
@@ -10,15 +11,16 @@
 namespace topobag {
 inline namespace v0 {
 
-/// A detection that knows its depth.
+/// A detection that knows its depth, and may say what its object looks like.
 struct RangedDetection {
   BoundingBox box;          ///< px
   ClassId label{};          ///< class, numbered as in the catalog in use
   double confidence = 1.0;  ///< detector's score in [0, 1]
   double z = 0.0;           ///< depth, m; 0 = unknown
+  Appearance appearance{};  ///< of its object; unknown by default
 };
 
-/// The library's own detection with a depth.
+/// The library's own detection with a depth and an appearance.
 template <>
 struct detection_traits<RangedDetection> {
   static const BoundingBox& box(const RangedDetection& d) { return d.box; }
@@ -27,6 +29,7 @@ struct detection_traits<RangedDetection> {
   static std::optional<double> depth(const RangedDetection& d) {
     return d.z > 0.0 ? std::optional<double>(d.z) : std::nullopt;
   }
+  static const Appearance& appearance(const RangedDetection& d) { return d.appearance; }
 };
 
 }  // namespace v0

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <topobag/types/appearance.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -33,6 +34,7 @@ struct SemanticNode {
   Vector2 size = Vector2::Zero();  ///< extent parallel to the image, m; 0 = unknown
   Scalar confidence = Scalar(1);   ///< detector's score in [0, 1]
   Scalar existence = Scalar(1);  ///< share of the frames that should have shown it and did, (0, 1]
+  Appearance appearance{};       ///< what it looks like; unknown by default
 };
 
 }  // namespace v0

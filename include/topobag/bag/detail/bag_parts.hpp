@@ -13,6 +13,7 @@
 #include <topobag/bag/detail/head_block.hpp>
 #include <topobag/bag/detail/segment.hpp>
 #include <topobag/bag/place_contents.hpp>
+#include <topobag/types/appearance.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -52,6 +53,7 @@ struct BagParts {
   std::size_t live = 0;
   std::size_t places = 0;  ///< different ones among the live entries
   std::shared_ptr<const PlaceContents> contents = std::make_shared<const PlaceContents>();
+  AppearanceKind appearance_kind;  ///< of all descriptors that were added
 
   /// O(segments · log n).
   std::optional<EntryPlace> find(KeyframeId id) const {

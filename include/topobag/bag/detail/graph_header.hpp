@@ -15,7 +15,7 @@ struct GraphHeader {
   unsigned version = 1;
   bool views = false;       ///< whether they follow the edges
   bool gravity = false;     ///< whether it follows these; from version 2 on
-  bool appearance = false;  ///< whether it follows these; from version 2 on, and not written yet
+  bool appearance = false;  ///< whether it follows these; from version 2 on
 };
 
 /// Writes the header's bits.
