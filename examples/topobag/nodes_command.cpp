@@ -5,7 +5,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,11 +12,12 @@
 
 #include "box_files.hpp"
 #include "camera_option.hpp"
+#include "class_list.hpp"
 #include "commands.hpp"
-#include "csv_reader.hpp"
 #include "detect_nodes.hpp"
 #include "input_error.hpp"
 #include "number_check.hpp"
+#include "progress.hpp"
 
 namespace program {
 namespace {
@@ -32,24 +32,6 @@ struct NodesOptions {
   double depth_scale = 5000.0;
   topobag::YoloOptions yolo;
 };
-
-/// The class behind each score of the network: COCO's order, or that of a file of names.
-std::vector<topobag::ClassId> read_classes(const std::string& names,
-                                           const topobag::ClassCatalog& catalog) {
-  if (names.empty()) return catalog.ids();
-  std::vector<topobag::ClassId> classes;
-  std::istringstream stream(read_file(names));
-  topobag::TextLines lines(stream, names);
-  std::size_t before = 0;
-  for (std::string_view line; lines.next(line); before = lines.number()) {
-    if (!classes.empty() && lines.number() != before + 1) {
-      throw lines.error("a blank or comment line above hides which number this class has");
-    }
-    lines.located([&] { classes.push_back(catalog.at(std::string(line))); });
-  }
-  if (classes.empty()) throw InputError(names, "there is no class in the file");
-  return classes;
-}
 
 /// "12 of one kind, 1 of another", those that are not 0; "nothing" where all are.
 std::string counts_text(const std::vector<std::pair<std::size_t, const char*>>& counts) {
@@ -103,26 +85,48 @@ std::string summary(const std::string& set, const NodesTally& tally, const std::
   return text.str();
 }
 
+/// All that the detections depend on.
+std::string text_of(const NodesOptions& options) {
+  const topobag::PinholeCamera<>& camera = options.camera;
+  const topobag::YoloOptions& yolo = options.yolo;
+  std::ostringstream text;
+  text.precision(17);
+  for (const std::string* file :
+       {&options.images, &options.model, &options.boxes, &options.names}) {
+    text << *file << ' ';
+    if (std::filesystem::is_regular_file(*file)) text << std::filesystem::file_size(*file) << ' ';
+  }
+  text << camera.fx << ' ' << camera.fy << ' ' << camera.cx << ' ' << camera.cy << ' '
+       << camera.width << ' ' << camera.height << ' ' << options.depth_scale << ' '
+       << static_cast<int>(yolo.head) << ' ' << yolo.min_confidence << ' ' << yolo.max_iou << ' '
+       << yolo.input_size;
+  return text.str();
+}
+
 void make_nodes(const NodesOptions& options) {
   const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
   const std::filesystem::path folder = std::filesystem::path(options.out).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw InputError("--out " + options.out, "the folder does not exist; make it first");
   }
-  topobag::PinholeCamera<> camera = options.camera;
-  DetectionSource source{options.model, options.yolo, read_classes(options.names, catalog), {}};
+  DetectionSource source{
+      options.model,
+      options.yolo,
+      options.names.empty() ? catalog.ids() : read_class_list(options.names, catalog),
+      {}};
   const RgbdSequence sequence = read_tum_sequence(options.images);
+  const bool sized = options.camera.width > 0;
+  const topobag::PinholeCamera<> camera =
+      with_size(options.camera, sized ? ImageSize{} : size_of_image(sequence.frames.front().rgb));
   if (!options.boxes.empty()) {
-    if (std::filesystem::is_directory(options.boxes) && camera.width == 0) {
-      throw InputError("--boxes " + options.boxes,
-                       "YOLO files need the image size: give --camera fx,fy,cx,cy,width,height");
-    }
     std::vector<std::string> images;
     for (const RgbdFrame& frame : sequence.frames) images.push_back(frame.rgb);
     source.boxes =
         read_boxes(options.boxes, images, {source.classes, catalog, camera.width, camera.height});
   }
-  const DetectedNodes detected = detect_nodes(sequence.frames, source, options.depth_scale, camera);
+  NodesCheckpoint checkpoint(options.out, text_of(options));
+  const DetectedNodes detected =
+      detect_nodes(sequence.frames, source, options.depth_scale, camera, checkpoint);
   const NodesTally tally(detected.table, camera, catalog);
   const std::string left_out = left_out_text(sequence, source, detected);
   if (tally.detections == 0) {
@@ -131,6 +135,7 @@ void make_nodes(const NodesOptions& options) {
                                                         " images; left out: " + left_out);
   }
   write_node_table(options.out, detected.table, catalog);
+  checkpoint.remove();
   std::cout << summary(options.out, tally, left_out);
 }
 
@@ -138,7 +143,9 @@ void make_nodes(const NodesOptions& options) {
 
 void add_nodes_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
-      "nodes", "Turns RGB-D images into a node table: what a detector sees in them, and how far");
+      "nodes",
+      "Turns RGB-D images into a node table: what a detector sees in them, and how far. The same "
+      "command goes on where it was ended");
   const auto options = std::make_shared<NodesOptions>();
   command.add_option("--images", options->images, "Sequence in the TUM RGB-D layout")->required();
   CLI::Option_group& detector = *command.add_option_group("detector");
@@ -172,6 +179,7 @@ void add_nodes_command(CLI::App& app) {
   command.add_option("--input-size", options->yolo.input_size, "Side of the network's input, px")
       ->check(CLI::Range(32, 4096))
       ->capture_default_str();
+  add_progress_option(command);
   command.callback([options] { make_nodes(*options); });
 }
 

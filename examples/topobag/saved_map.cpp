@@ -142,11 +142,22 @@ void write_saved_map(const std::string& path, const std::string& session,
 
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options) {
   if (!fs::is_regular_file(map)) return read_keyframes(map, options);
+  if (!options.trajectory.empty()) {
+    throw InputError(map, "it is a saved map, which has its poses: --map-trajectory is for tables");
+  }
+  const SavedMap saved = read_saved_map(map);
+  std::map<std::uint32_t, SavedSession> sessions;
+  for (const SavedSession& session : saved.sessions) sessions[session.id] = session;
+  std::map<std::uint32_t, std::uint64_t> first_ids;
   std::vector<Keyframe> keyframes;
-  read_saved_map(map).bag.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info,
-                                       const topobag::TopologyGraph<>& graph) {
-    keyframes.push_back({static_cast<std::int64_t>(topobag::value(id)), info.stamp.value_or(0.0),
-                         info.T_world_camera, graph});
+  saved.bag.for_each([&](topobag::KeyframeId key, const topobag::EntryInfo& info,
+                         const topobag::TopologyGraph<>& graph) {
+    const std::uint64_t id = topobag::value(key);
+    const std::uint64_t next = keyframes.empty() ? 0 : keyframes.back().saved->id + 1;
+    const std::uint64_t first = first_ids.emplace(info.session, next).first->second;
+    sessions[info.session].id = info.session;
+    keyframes.push_back({static_cast<std::int64_t>(id - first), info.stamp.value_or(0.0),
+                         info.T_world_camera, graph, SavedEntry{id, sessions[info.session]}});
   });
   if (keyframes.empty()) throw InputError(map, "the map holds no key frame");
   return keyframes;

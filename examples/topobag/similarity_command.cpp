@@ -128,6 +128,7 @@ std::string to_text(const SimilarityTable& table) {
 
 void print_similarities(const SimilarityArguments& arguments) {
   KeyframeOptions options = arguments.keyframes;
+  options.matchable = false;
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
   std::vector<const Keyframe*> frames;

@@ -67,7 +67,11 @@ TEST_CASE("localize reports in JSON", "[examples]") {
   CHECK(report.at("correct") > 20);
   CHECK(report.at("median_translation_error_m") < 0.3);
   CHECK(report.at("median_rotation_error_deg") < 15.0);
-  CHECK(report.at("median_query_ms") > 0.0);
+  const Json& ms = report.at("query_ms");
+  CHECK(ms.at("median") > 0.0);
+  CHECK(ms.at("percentile_95") >= ms.at("median"));
+  CHECK(ms.at("worst") >= ms.at("percentile_95"));
+  CHECK(ms.at("worst") >= ms.at("mean"));
   for (const Json& match : report.at("matches")) {
     CHECK(match.at("pose_candidate_query").size() == 7);
     CHECK(match.at("matched").size() >= 1);
@@ -150,7 +154,7 @@ TEST_CASE("localize draws the best match", "[examples]") {
   const Json& best =
       *std::max_element(matches.begin(), matches.end(),
                         [](const Json& a, const Json& b) { return a.at("score") < b.at("score"); });
-  CHECK(drawing.find("query, frame " + std::to_string(best.at("query_idx").get<int>())) !=
+  CHECK(drawing.find("query, idx " + std::to_string(best.at("query_idx").get<int>())) !=
         std::string::npos);
 }
 
@@ -202,4 +206,52 @@ TEST_CASE("tables without poses are localized from single frames, unscored", "[e
   check_counts(report);
   CHECK(report.at("unscored") == report.at("accepted"));
   CHECK(report.at("accepted") > 0);
+}
+
+TEST_CASE("an interval thins the queries alone", "[examples]") {
+  const Json all = localize(""), some = localize("--query-interval 1");
+  CHECK(some.at("map_keyframes") == all.at("map_keyframes"));
+  CHECK(some.at("keyframes") < 0.5 * all.at("keyframes").get<double>());
+  for (const Json& match : some.at("matches")) {  // each as without
+    const Json& matches = all.at("matches");
+    CHECK(std::find(matches.begin(), matches.end(), match) != matches.end());
+  }
+}
+
+TEST_CASE("without the key frames around it a query is found farther away, or not at all",
+          "[examples]") {
+  const double radius = 0.2;
+  const std::string leave_out = "--leave-out-radius " + std::to_string(radius);
+  const Json all = localize("");
+  CHECK(localize("--leave-out-radius 0").at("matches") == all.at("matches"));
+  CHECK(localize(leave_out).at("matches") != all.at("matches"));
+  CHECK(localize(leave_out + " --place-radius " + std::to_string(radius)).at("correct") == 0);
+  CHECK(localize("--place-radius 100").at("correct") == all.at("correct"));
+}
+
+TEST_CASE("poses come from a trajectory where one is given", "[examples]") {
+  const ScratchFolder folder;
+  program::NodeTable query = program::read_node_table(sample_query);
+  for (program::FrameRow& frame : query.frames) frame.T_world_camera.reset();
+  program::write_node_table(folder.path("bare"), query);
+  const std::string arguments =
+      "localize --json --map " + sample_map + " --query " + folder.path("bare") + sample_options;
+  const ProgramRun run = run_program(arguments + "--trajectory " + sample_query + ".frames.csv");
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const Json given = Json::parse(run.out), own = localize("");
+  CHECK(given.at("accepted") == own.at("accepted"));
+  CHECK(given.at("correct") == own.at("correct"));
+  CHECK(refusal(arguments + "--leave-out-radius 1 --window 0").find("has no pose") !=
+        std::string::npos);
+}
+
+TEST_CASE("a table without a graph to match is refused with the reasons, whatever the window",
+          "[examples]") {
+  for (const std::string window : {"0", "3"}) {
+    const std::string said = refusal("localize --map " + sample_map + " --query " + sample_query +
+                                     sample_options + "--min-confidence 1 --window " + window);
+    CHECK(said.find("none of the 67 key frames has three objects with a position; of 772 "
+                    "detections in the table 772 are below --min-confidence") != std::string::npos);
+  }
 }
