@@ -21,6 +21,7 @@
 #include "report/comparison_page.hpp"
 #include "report/report_options.hpp"
 #include "report/run_outcomes.hpp"
+#include "saved_map.hpp"
 #include "similarity_scores.hpp"
 
 namespace program {
@@ -150,7 +151,7 @@ ComparedMethod own_method(RecognitionRun& run, const std::string& path,
 }
 
 void compare(const CompareArguments& arguments) {
-  if (std::filesystem::is_regular_file(arguments.tables.map)) {
+  if (is_saved_map(arguments.tables.map)) {
     throw InputError(arguments.tables.map,
                      "compare makes the graphs anew and needs a node table, not a saved map");
   }

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include <topobag/evaluation/protocol_text.hpp>
+
 #include "calibration_options.hpp"
 #include "commands.hpp"
 #include "csv_reader.hpp"
@@ -27,6 +29,7 @@ struct LocalizeArguments {
 void localize(const LocalizeArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
+  topobag::parse_protocol(arguments.report.protocol);
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
   run.queries = thinned(run.queries, common.query_interval);
   run.kept = kept_for(arguments.report);

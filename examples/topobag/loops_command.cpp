@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include <topobag/evaluation/protocol_text.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 
 #include "calibration_options.hpp"
@@ -28,6 +29,7 @@ struct LoopsArguments {
 void find_loops(const LoopsArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
+  topobag::parse_protocol(arguments.report.protocol);
   RecognitionRun run = read_sequence(arguments.nodes, common.keyframes, common.image_size);
   run.queries = thinned(run.queries, common.query_interval);
   run.kept = kept_for(arguments.report);

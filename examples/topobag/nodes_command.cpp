@@ -16,6 +16,7 @@
 #include "commands.hpp"
 #include "detect_nodes.hpp"
 #include "input_error.hpp"
+#include "name_check.hpp"
 #include "number_check.hpp"
 #include "progress.hpp"
 
@@ -163,11 +164,10 @@ void add_nodes_command(CLI::App& app) {
       ->check(number_within(1e-6))
       ->capture_default_str();
   command.add_option("--head", options->yolo.head, "How the network writes detections down")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, topobag::YoloHead>{{"yolox", topobag::YoloHead::yolox},
-                                                   {"yolov5", topobag::YoloHead::yolov5},
-                                                   {"yolov8", topobag::YoloHead::yolov8}},
-          CLI::ignore_case))
+      ->transform(
+          one_of(std::map<std::string, topobag::YoloHead>{{"yolox", topobag::YoloHead::yolox},
+                                                          {"yolov5", topobag::YoloHead::yolov5},
+                                                          {"yolov8", topobag::YoloHead::yolov8}}))
       ->default_str("yolox");
   command
       .add_option("--min-confidence", options->yolo.min_confidence, "Least score of a detection")

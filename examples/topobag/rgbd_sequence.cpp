@@ -70,6 +70,10 @@ RgbdSequence read_pairs(const fs::path& folder) {
     for (const auto& row : read_list(folder / "associations.txt", 2)) {
       frames.push_back({row[0].timestamp, row[0].path, row[1].path, std::nullopt});
     }
+  } else if (!fs::exists(folder / "depth.txt") && !fs::exists(folder / "rgb.txt")) {
+    throw InputError(folder.string(),
+                     "it is no sequence in the TUM RGB-D layout, which has associations.txt, or "
+                     "rgb.txt and depth.txt");
   } else {
     const auto depths = read_list(folder / "depth.txt", 1);
     for (const auto& row : read_list(folder / "rgb.txt", 1)) {

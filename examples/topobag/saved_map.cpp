@@ -86,6 +86,7 @@ enum class MapKind { sqlite, snapshot };
 
 /// By the file's first bytes, whatever its name.
 MapKind kind_of(const std::string& path) {
+  if (fs::is_directory(path)) throw InputError(path, "it is a folder; name the map in it");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path, "the file cannot be opened; check the path");
   std::string beginning(16, '\0');
@@ -116,6 +117,10 @@ Bag new_entries(const Bag& bag, const std::vector<Keyframe>& keyframes) {
   return entries;
 }
 
+bool is_saved_map(const std::string& path) {
+  return set_name(path) == path && fs::is_regular_file(path);
+}
+
 SavedMap read_saved_map(const std::string& path) {
   return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path) : read_snapshot(path);
 }
@@ -123,6 +128,7 @@ SavedMap read_saved_map(const std::string& path) {
 void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, bool append) {
   topobag::require_utf8(session, "--session");
+  if (fs::is_directory(path)) throw InputError(path, "it is a folder; name a file in it");
   const topobag::WriterLock lock(path);
   const bool exists = fs::exists(path);
   if (exists && !append) {
@@ -141,7 +147,7 @@ void write_saved_map(const std::string& path, const std::string& session,
 }
 
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options) {
-  if (!fs::is_regular_file(map)) return read_keyframes(map, options);
+  if (!is_saved_map(map)) return read_keyframes(map, options);
   if (!options.trajectory.empty()) {
     throw InputError(map, "it is a saved map, which has its poses: --map-trajectory is for tables");
   }

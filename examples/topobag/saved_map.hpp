@@ -24,6 +24,9 @@ struct SavedMap {
 topobag::BagOfTopologyGraphs<> new_entries(const topobag::BagOfTopologyGraphs<>& bag,
                                            const std::vector<Keyframe>& keyframes);
 
+/// Whether a path names a saved map, not a table or one of a table's files.
+bool is_saved_map(const std::string& path);
+
 /// Throws InputError for a file that is neither kind of map; topobag::Error for one that is
 /// damaged.
 SavedMap read_saved_map(const std::string& path);

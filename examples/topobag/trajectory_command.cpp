@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "json_output.hpp"
+#include "name_check.hpp"
 #include "number_check.hpp"
 #include "pose_files.hpp"
 #include "trajectory_report.hpp"
@@ -162,7 +163,7 @@ void add_trajectory_command(CLI::App& app) {
   command
       .add_option("--alignment", rules.alignment,
                   "Of the first sequence, for all: none, se3 or sim3 [se3]")
-      ->transform(CLI::CheckedTransformer(alignment_names));
+      ->transform(one_of(alignment_names));
   command
       .add_option(
           "--interpolation", options->interpolation,
@@ -176,7 +177,7 @@ void add_trajectory_command(CLI::App& app) {
       ->check(positive)
       ->capture_default_str();
   command.add_option("--rpe-unit", options->step.unit, "frames, seconds or metres [frames]")
-      ->transform(CLI::CheckedTransformer(step_unit_names));
+      ->transform(one_of(step_unit_names));
   command.add_flag("--rpe-consecutive", options->rpe_consecutive,
                    "Steps end to end instead of from every pose");
   command.add_option("--errors", options->errors, "CSV to write: the errors of every pose");

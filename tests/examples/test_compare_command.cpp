@@ -121,8 +121,8 @@ TEST_CASE("compare prints a table and writes a report", "[examples][report]") {
   const Json& shown = figures.at("comparison").at("rows").at(0);
   std::size_t correct = 0, wrong = 0;
   for (const Json& row : figures.at("trajectory").at("rows")) {
-    correct += row.at(4) == "correct" ? 1 : 0;
-    wrong += row.at(4) == "wrong" ? 1 : 0;
+    if (row.at(4) == "correct") ++correct;
+    if (row.at(4) == "wrong") ++wrong;
   }
   const Json& columns = figures.at("comparison").at("columns");
   const auto shown_as = [&](const char* column) {

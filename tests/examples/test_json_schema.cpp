@@ -58,13 +58,14 @@ void check(const nlohmann::json& document, const std::string& definition) {
   }
 }
 
-const std::string tables = " --map " + sample_map + " --query " + sample_query + sample_options;
+const std::string schema_tables =
+    " --map " + sample_map + " --query " + sample_query + sample_options;
 
 }  // namespace
 
 TEST_CASE("JSON of localize and loops is as its schema says", "[examples]") {
   const ScratchFolder folder;
-  check(written("localize" + tables + "--calibrate --report-data " + folder.path("r.json")),
+  check(written("localize" + schema_tables + "--calibrate --report-data " + folder.path("r.json")),
         "localize");
   check(nlohmann::json::parse(program::read_file(folder.path("r.json"))), "report");
   check(written("loops --min-gap 5 --nodes " + sample_map + sample_options), "loops");
@@ -82,8 +83,8 @@ TEST_CASE("JSON of localize and loops is as its schema says", "[examples]") {
 
 TEST_CASE("JSON of what scores methods and trajectories is as its schema says", "[examples]") {
   const ScratchFolder folder;
-  check(written("explain --frame 30" + tables), "explain");
-  check(written("compare" + tables + "--report-data " + folder.path("r.json")), "compare");
+  check(written("explain --frame 30" + schema_tables), "explain");
+  check(written("compare" + schema_tables + "--report-data " + folder.path("r.json")), "compare");
   check(nlohmann::json::parse(program::read_file(folder.path("r.json"))), "report");
   check(written("similarity --frames 0,1,2 --camera 517.3,516.5,318.6,255.3 --nodes " + sample_map),
         "similarity");

@@ -125,7 +125,8 @@ void write_images(const ScratchFolder& folder) {
   folder.write("boxes.json", boxes + "]");
 }
 
-const std::string tables = " --map " + sample_map + " --query " + sample_query + sample_options;
+const std::string killed_tables =
+    " --map " + sample_map + " --query " + sample_query + sample_options;
 
 }  // namespace
 
@@ -137,11 +138,11 @@ TEST_CASE("a killed program leaves tables, reports and lists whole", "[examples]
   const std::string scores =
       inputs.write("scores.csv", "nan,.9,.8,.1\n.9,nan,.2,.1\n.8,.2,nan,.7\n.1,.1,.6,nan\n");
   const std::vector<Writer> writers{
-      {"localize" + tables +
+      {"localize" + killed_tables +
            "--svg FOLDER/m.svg --pairs FOLDER/p.csv --report FOLDER/r.html --report-data "
            "FOLDER/r.json --calibrate --save-calibration FOLDER/c.txt",
        {{"m.svg", is_drawing}, {"p.csv"}, {"r.html", is_page}, {"r.json", is_json}, {"c.txt"}}},
-      {"explain --frame 30" + tables + "--svg FOLDER/e.svg", {{"e.svg"}}},
+      {"explain --frame 30" + killed_tables + "--svg FOLDER/e.svg", {{"e.svg"}}},
       {"evaluate --scores " + scores + " --poses " + poses +
            " --protocol distance=1 --curve FOLDER/c.csv --ranks FOLDER/k.csv --report "
            "FOLDER/r.html --report-data FOLDER/r.json",

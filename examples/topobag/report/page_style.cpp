@@ -65,6 +65,7 @@ svg { display: block; width: 100%; height: auto }
 .first, .true, .correct { --ink: var(--blue) }
 .second, .imprecise { --ink: var(--amber) }
 .third { --ink: var(--green) }
+.other { --ink: var(--gray) }
 .false { --ink: var(--red) }
 .wrong { --ink: var(--red) }
 .missed { --ink: var(--pink) }

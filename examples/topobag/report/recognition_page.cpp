@@ -59,6 +59,11 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
   const topobag::PoseLimits& limits = arguments_.scoring.limits;
   const auto count = [](std::size_t number) { return std::to_string(number); };
   auto& facts = report.facts;
+  facts.emplace_back("Accepted", count(summary.accepted) + " of " + count(summary.queries) +
+                                     " queries with a usable graph and a candidate");
+  facts.emplace_back("Verdicts", count(summary.correct) + " correct, " + count(summary.imprecise) +
+                                     " imprecise, " + count(summary.wrong) + " wrong, " +
+                                     count(summary.unscored) + " not scored");
   facts.emplace_back(loop_gap_ ? "Sequence" : "Map",
                      run_.map_set + ", " + count(run_.map.size()) + " key frames");
   if (!loop_gap_) {
@@ -71,11 +76,6 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
           (keyframes.window > 0.0 ? ", graphs fused over " + short_text(keyframes.window) + " s"
                                   : ", graphs of single frames") +
           ", detections from score " + short_text(keyframes.min_confidence));
-  facts.emplace_back("Accepted", count(summary.accepted) + " of " + count(summary.queries) +
-                                     " queries with a usable graph and a candidate");
-  facts.emplace_back("Verdicts", count(summary.correct) + " correct, " + count(summary.imprecise) +
-                                     " imprecise, " + count(summary.wrong) + " wrong, " +
-                                     count(summary.unscored) + " not scored");
   if (summary.median_translation_error_m) {
     facts.emplace_back("Median error of the accepted",
                        fixed_text(*summary.median_translation_error_m, 3) + " m, " +
