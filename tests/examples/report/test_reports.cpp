@@ -90,7 +90,7 @@ TEST_CASE("the curve of a report says what its verdicts say", "[examples][report
     CHECK(row.at(3) == 1.0);  // what was accepted is right
     recall = std::max(recall, row.at(2).get<double>());
   }
-  CHECK(recall > 0.9);
+  CHECK(recall > 0.8);
 }
 
 TEST_CASE("a report declares another protocol when asked to", "[examples][report]") {
