@@ -140,8 +140,11 @@ TEST_CASE("a killed program leaves tables, reports and lists whole", "[examples]
   const std::vector<Writer> writers{
       {"localize" + killed_tables +
            "--svg FOLDER/m.svg --pairs FOLDER/p.csv --report FOLDER/r.html --report-data "
-           "FOLDER/r.json --calibrate --save-calibration FOLDER/c.txt",
-       {{"m.svg", is_drawing}, {"p.csv"}, {"r.html", is_page}, {"r.json", is_json}, {"c.txt"}}},
+           "FOLDER/r.json",
+       {{"m.svg", is_drawing}, {"p.csv"}, {"r.html", is_page}, {"r.json", is_json}}},
+      {"localize" + killed_tables +
+           "--min-confidence 0.5 --window 0 --calibrate --save-calibration FOLDER/c.txt",
+       {{"c.txt"}}},
       {"explain --frame 30" + killed_tables + "--svg FOLDER/e.svg", {{"e.svg"}}},
       {"evaluate --scores " + scores + " --poses " + poses +
            " --protocol distance=1 --curve FOLDER/c.csv --ranks FOLDER/k.csv --report "
