@@ -36,7 +36,7 @@ enum class KeptCandidates {
 struct LookUp {
   topobag::Recognition recognition;  ///< its ids are positions in the map; the best candidate
                                      ///< alone, unless all reports are kept
-  double milliseconds = 0.0;  ///< of the query call alone
+  double milliseconds = 0.0;         ///< of the query call alone
 
   // Of an accepted match:
   std::optional<topobag::PoseError> error;      ///< where both true poses are known
