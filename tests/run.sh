@@ -5,7 +5,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source .ci/packages.sh
 
 need_build_tools
-need_packages libeigen3-dev libcgal-dev catch2 libcli11-dev nlohmann-json3-dev libsqlite3-dev
+need_packages libeigen3-dev libcgal-dev catch2 libcli11-dev nlohmann-json3-dev libsqlite3-dev \
+  libvalijson-dev
 
 cmake -S . -B build
 cmake --build build --parallel "$(nproc)" --target topobag_tests

@@ -17,8 +17,11 @@
 #include "keyframe_options.hpp"
 #include "look_up.hpp"
 #include "number_check.hpp"
+#include "pair_scores.hpp"
 #include "report/comparison_page.hpp"
 #include "report/report_options.hpp"
+#include "report/run_outcomes.hpp"
+#include "saved_map.hpp"
 #include "similarity_scores.hpp"
 
 namespace program {
@@ -30,7 +33,8 @@ struct CompareArguments {
   double min_gap = 20.0;  ///< s
   KeyframeOptions keyframes;
   ImageSize image_size;
-  std::string protocol = "distance=0.5,angle=30,negative-distance=1,negative-angle=45";
+  std::string protocol = default_protocol;
+  std::vector<std::string> own_scores;  ///< files
   std::size_t verified = 10;
   bool json = false;
   bool markdown = false;
@@ -56,21 +60,18 @@ KnownPlaces places_of(const RecognitionRun& run, const CompareArguments& argumen
                       topobag::parse_protocol(arguments.protocol), loop_gap);
 }
 
-/// A similarity's best answers to each query, among the pairs that the protocol evaluates or
-/// ignores.
-std::vector<std::vector<topobag::Candidate>> best_answers(const topobag::ScoreMatrix& scores,
+/// A method's best answers to each query, among the pairs that the protocol evaluates or ignores.
+std::vector<std::vector<topobag::Candidate>> best_answers(const PairScores& scores,
                                                           const topobag::PlaceTruth& truth,
                                                           std::size_t count) {
   std::vector<std::vector<topobag::Candidate>> answers(truth.num_queries());
-  for (std::size_t query = 0; query < truth.num_queries(); ++query) {
-    for (std::size_t candidate = 0; candidate < truth.num_candidates(); ++candidate) {
-      if (truth.relation(query, candidate) == topobag::PairRelation::excluded) continue;
-      const double score =
-          scores(static_cast<Eigen::Index>(query), static_cast<Eigen::Index>(candidate));
-      answers[query].push_back({topobag::KeyframeId{candidate}, score});
-    }
-    std::sort(answers[query].begin(), answers[query].end());
-    answers[query].resize(std::min(count, answers[query].size()));
+  for_each_score(scores, [&](std::size_t query, std::size_t candidate, double score) {
+    if (truth.relation(query, candidate) == topobag::PairRelation::excluded) return;
+    answers[query].push_back({topobag::KeyframeId{candidate}, score});
+  });
+  for (auto& of_query : answers) {
+    std::sort(of_query.begin(), of_query.end());
+    of_query.resize(std::min(count, of_query.size()));
   }
   return answers;
 }
@@ -85,9 +86,9 @@ topobag::ScoreMatrix place_scores(const RecognitionRun& run) {
     scores.data()[i] = topobag::place_score(unverified);
   }
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    for (const topobag::CandidateReport& report : run.look_ups[i].recognition.candidates) {
-      scores(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(topobag::value(report.id))) =
-          topobag::place_score(report);
+    for (const TriedCandidate& tried : run.look_ups[i].tried) {
+      scores(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(tried.candidate)) =
+          tried.place_score;
     }
   }
   return scores;
@@ -99,7 +100,7 @@ double verification_us(const RecognitionRun& run) {
   std::size_t pairs = 0;
   for (const LookUp& look_up : run.look_ups) {
     milliseconds += look_up.milliseconds;
-    pairs += look_up.recognition.candidates.size();
+    pairs += look_up.tried.size();
   }
   return 1e3 * milliseconds / static_cast<double>(std::max<std::size_t>(1, pairs));
 }
@@ -121,6 +122,7 @@ ComparedMethod paper_method(const CompareArguments& arguments, const topobag::Pl
   KeyframeOptions keyframes = arguments.keyframes;
   keyframes.window = 0.0;
   keyframes.keep = {topobag::Dynamics::low};
+  keyframes.matchable = false;
   const RecognitionRun run = read_run(arguments, keyframes);
   const SimilarityScores scores = score_padded_cosine(run.queries, run.map);
   ComparedMethod method{"paper's whole pipeline",
@@ -130,8 +132,26 @@ ComparedMethod paper_method(const CompareArguments& arguments, const topobag::Pl
   return method;
 }
 
+/// What the library's verification makes of a method's best answers.
+RunSummary verified(RecognitionRun& run, const PairScores& scores, const topobag::PlaceTruth& truth,
+                    std::size_t count) {
+  verify(run, best_answers(scores, truth, count));
+  score(run, Scoring{});
+  return summarize(run);
+}
+
+/// A method of the user's own, by its scores of the key frames of query and map.
+ComparedMethod own_method(RecognitionRun& run, const std::string& path,
+                          const topobag::PlaceTruth& truth, std::size_t count) {
+  const PairScores scores = read_pair_scores(path, false);
+  ComparedMethod method{std::filesystem::path(path).filename().string(), "scores of " + path};
+  method.labelled = label_scores(scores, truth, path);
+  method.poses = verified(run, scores, truth, count);
+  return method;
+}
+
 void compare(const CompareArguments& arguments) {
-  if (std::filesystem::is_regular_file(arguments.tables.map)) {
+  if (is_saved_map(arguments.tables.map)) {
     throw InputError(arguments.tables.map,
                      "compare makes the graphs anew and needs a node table, not a saved map");
   }
@@ -144,6 +164,7 @@ void compare(const CompareArguments& arguments) {
                         arguments.verified,
                         {}};
 
+  run.kept = KeptCandidates::tried;
   if (arguments.one_sequence()) {
     look_up_earlier(run, arguments.min_gap);
   } else {
@@ -152,19 +173,22 @@ void compare(const CompareArguments& arguments) {
   score(run, scoring);
   const topobag::ScoreMatrix scores = place_scores(run);
   comparison.methods.push_back(default_method(run, scores, places.truth));
+  DecidedScores decided{scores, outcomes_of(run, &places), scoring.limits,
+                        arguments.one_sequence()};
+  run.kept = KeptCandidates::best;
   comparison.methods.push_back(paper_method(arguments, places.truth));
+  for (const std::string& path : arguments.own_scores) {
+    comparison.methods.push_back(own_method(run, path, places.truth, arguments.verified));
+  }
   for (SimilarityScores& similarity : score_similarities(run.queries, run.map)) {
     ComparedMethod method{std::move(similarity.name), std::move(similarity.meaning)};
     method.labelled = topobag::label_scores(similarity.scores, places.truth);
     method.pair_us = similarity.pair_us;
-    verify(run, best_answers(similarity.scores, places.truth, arguments.verified));
-    score(run, scoring);
-    method.poses = summarize(run);
+    method.poses = verified(run, std::move(similarity.scores), places.truth, arguments.verified);
     comparison.methods.push_back(std::move(method));
   }
   if (wanted(arguments.files)) {
-    write_report(comparison_report(comparison, places, scores, arguments.one_sequence()),
-                 arguments.files);
+    write_report(comparison_report(comparison, places, decided), arguments.files);
   }
   std::cout << (arguments.json       ? to_json(comparison)
                 : arguments.markdown ? to_markdown(comparison)
@@ -200,6 +224,9 @@ void add_compare_command(CLI::App& app) {
                   "Best answers of a similarity that are verified for a pose")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command.add_option("--scores", arguments->own_scores,
+                     "Also a method of your own, by its scores of the key frames: matrix or list, "
+                     "as in evaluate; higher is better");
   add_report_options(command, arguments->files);
   command.add_flag("--json", arguments->json, "Report in JSON");
   command.add_flag("--markdown", arguments->markdown, "The table in Markdown")->excludes("--json");

@@ -18,7 +18,7 @@ struct ComparedMethod {
   std::string name;
   std::string meaning;
   topobag::LabelledScores labelled{};
-  double pair_us = 0.0;               ///< time over pairs, µs
+  std::optional<double> pair_us{};    ///< time over pairs, µs; none of foreign scores
   std::optional<RunSummary> poses{};  ///< of its verified candidates; none where it gives no pose
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +10,9 @@
 #include <topobag/types/ids.hpp>
 
 #include "box_files.hpp"
-#include "node_table.hpp"
+#include "camera_option.hpp"
+#include "detected_nodes.hpp"
+#include "nodes_checkpoint.hpp"
 #include "rgbd_sequence.hpp"
 
 namespace program {
@@ -25,19 +26,18 @@ struct DetectionSource {
   bool colors = false;                    ///< whether objects are described by their colours
 };
 
-/// What was detected in a sequence.
-struct DetectedNodes {
-  NodeTable table;
-  std::size_t outside = 0;  ///< boxes that span less than a pixel of their image, left out
-};
+/// The size of an image file as it is stored. Throws as below.
+ImageSize size_of_image(const std::string& path);
 
 /// Detects the objects in a sequence; depths by topobag::RobustBoxDepth. Images are taken as they
 /// are stored: an orientation that an EXIF tag asks for is not applied, since depth images have
 /// none.
 /// @param depth_scale  value / depth_scale = metres
-/// @param camera       gets the size of the images where it has none; else they have to agree
+/// @param camera       the images have to be of its size
+/// @param checkpoint   says what is done already, and is told of what gets done
 /// Throws topobag::Error, also where the program was built without OpenCV.
 DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSource& source,
-                           double depth_scale, topobag::PinholeCamera<>& camera);
+                           double depth_scale, const topobag::PinholeCamera<>& camera,
+                           NodesCheckpoint& checkpoint);
 
 }  // namespace program

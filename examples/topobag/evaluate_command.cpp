@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -10,13 +9,12 @@
 #include <vector>
 
 #include <topobag/evaluation/labelled_scores.hpp>
-#include <topobag/evaluation/npy_matrix.hpp>
 #include <topobag/evaluation/protocol_text.hpp>
-#include <topobag/evaluation/score_csv.hpp>
 
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "number_check.hpp"
+#include "pair_scores.hpp"
 #include "pose_files.hpp"
 #include "report/report_options.hpp"
 #include "report/retrieval_page.hpp"
@@ -31,7 +29,7 @@ struct EvaluateOptions {
   std::string poses;
   std::string map_poses;
   std::string times;
-  std::string protocol;
+  std::string protocol = default_protocol;
   bool lower_is_better = false;
   bool as_json = false;
   std::vector<double> pose_limits;
@@ -48,34 +46,11 @@ struct Method {
   PairScores scores;
 };
 
-bool is_npy(const std::string& path) {
-  std::string beginning(6, '\0');
-  std::ifstream(path, std::ios::binary).read(beginning.data(), 6);
-  return beginning == "\x93NUMPY";
-}
-
 Method read_method(const std::string& path, const EvaluateOptions& options,
                    const topobag::PlaceTruth& truth) {
   Method method;
-  if (is_npy(path)) {
-    method.scores = topobag::read_npy(path);
-  } else {
-    method.scores = topobag::read_score_csv(path);
-  }
-  try {
-    if (auto* const matrix = std::get_if<topobag::ScoreMatrix>(&method.scores)) {
-      if (options.lower_is_better) *matrix = -*matrix;
-      method.labelled = topobag::label_scores(*matrix, truth);
-    } else {
-      auto& pairs = std::get<topobag::ScoreList>(method.scores).pairs;
-      if (options.lower_is_better) {
-        for (topobag::ScoredPair& pair : pairs) pair.score = -pair.score;
-      }
-      method.labelled = topobag::label_scores(pairs, truth);
-    }
-  } catch (const topobag::Error& error) {
-    throw InputError(path, error.what());
-  }
+  method.scores = read_pair_scores(path, options.lower_is_better);
+  method.labelled = label_scores(method.scores, truth, path);
   return method;
 }
 
@@ -91,11 +66,11 @@ KnownPlaces read_places(const EvaluateOptions& options) {
   topobag::Trajectory queries = read_trajectory(options.poses, options.times);
   if (options.map_poses.empty()) {
     const topobag::PlaceTruth truth(protocol, queries);
-    return {queries, queries, truth};
+    return {queries, queries, truth, protocol.frustum};
   }
   topobag::Trajectory map = read_trajectory(options.map_poses);
   const topobag::PlaceTruth truth(protocol, queries, map);
-  return {std::move(queries), std::move(map), truth};
+  return {std::move(queries), std::move(map), truth, protocol.frustum};
 }
 
 topobag::PoseLimits read_limits(const std::vector<double>& v) {
@@ -191,7 +166,7 @@ void add_evaluate_command(CLI::App& app) {
           "What a true loop is: distance=M,angle=DEG,negative-distance=M,negative-angle=DEG,"
           "covisibility=C,negative-covisibility=C,frustum=fx:fy:cx:cy:w:h:near:far,"
           "exclude-seconds=S,exclude-frames=N,past-only")
-      ->required();
+      ->capture_default_str();
   command.add_flag("--lower-is-better", options->lower_is_better, "The scores are distances");
   command.add_option("--k", options->report.ks, "The K of Recall@K")
       ->delimiter(',')

@@ -53,6 +53,7 @@ void explain_frame(const ExplainArguments& arguments) {
   RecognitionRun run = read_map_and_query(arguments.tables, arguments.recognition.keyframes,
                                           arguments.recognition.image_size);
   keep_query(run, arguments.frame);
+  run.kept = KeptCandidates::reports;
   look_up_in_map(run, calibration_request(arguments.calibration, arguments.recognition));
   save_calibration(arguments.calibration, run);
   topobag::Explanation explanation = explain_look_up(run, 0);
@@ -61,14 +62,17 @@ void explain_frame(const ExplainArguments& arguments) {
     write_file(arguments.svg, candidate_svg(run, 0, shown));
   }
   if (arguments.json) {
-    Json json = to_json(explanation);
+    Json json = to_json(explanation, run.map);
     if (run.calibrated) json["calibration"] = calibration_json(*run.calibrated);
     std::cout << output_text(json, true);
     return;
   }
   const std::size_t all = explanation.candidates.size();
   explanation.candidates.resize(std::min(all, arguments.candidates));
-  std::cout << "frame " << arguments.frame << ": " << to_string(explanation);
+  const auto map_name = [&](topobag::KeyframeId id) {
+    return "map " + name_of(run.map[topobag::value(id)]);
+  };
+  std::cout << "frame " << arguments.frame << ": " << to_string(explanation, map_name);
   if (all > explanation.candidates.size()) {
     std::cout << "and " << all - explanation.candidates.size() << " more candidates\n";
   }

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "keyframe_json.hpp"
+
 namespace program {
 namespace {
 
@@ -36,18 +38,21 @@ Json change_json(const topobag::ExplainedChange& explained) {
   return json;
 }
 
-Json candidate_json(const topobag::CandidateExplanation& candidate) {
-  Json json{{"map_idx", topobag::value(candidate.id)},
-            {"verdict", to_string(candidate.verdict)},
-            {"similarity", candidate.similarity},
-            {"confidence", or_null(candidate.confidence)},
-            {"place_support", or_null(candidate.place_support)},
-            {"complete", candidate.complete},
-            {"stages", Json::array()},
-            {"matched", Json::array()},
-            {"missing", Json::array()},
-            {"changes", Json::array()}};
-  if (candidate.rival) json["rival_map_idx"] = topobag::value(candidate.rival->id);
+Json candidate_json(const topobag::CandidateExplanation& candidate,
+                    const std::vector<Keyframe>& map) {
+  Json json = keyframe_json(map[topobag::value(candidate.id)], "map_");
+  json.update(Json{{"verdict", to_string(candidate.verdict)},
+                   {"similarity", candidate.similarity},
+                   {"confidence", or_null(candidate.confidence)},
+                   {"place_support", or_null(candidate.place_support)},
+                   {"complete", candidate.complete},
+                   {"stages", Json::array()},
+                   {"matched", Json::array()},
+                   {"missing", Json::array()},
+                   {"changes", Json::array()}});
+  if (candidate.rival) {
+    json.update(keyframe_json(map[topobag::value(candidate.rival->id)], "rival_map_"));
+  }
   for (const auto& stage : candidate.stages) json["stages"].push_back(stage_json(stage));
   for (const auto& match : candidate.matched) {
     json["matched"].push_back({{"candidate", match.candidate_class},
@@ -63,12 +68,12 @@ Json candidate_json(const topobag::CandidateExplanation& candidate) {
 
 }  // namespace
 
-Json to_json(const topobag::Explanation& explanation) {
+Json to_json(const topobag::Explanation& explanation, const std::vector<Keyframe>& map) {
   Json json{{"objects", explanation.objects},
             {"usable", explanation.usable},
             {"candidates", Json::array()}};
   for (const auto& candidate : explanation.candidates) {
-    json["candidates"].push_back(candidate_json(candidate));
+    json["candidates"].push_back(candidate_json(candidate, map));
   }
   return json;
 }

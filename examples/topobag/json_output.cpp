@@ -35,8 +35,14 @@ std::string json_text(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+Json versioned(const Json& json) {
+  Json document{{"schema", json_schema}};
+  document.update(json);
+  return document;
+}
+
 std::string output_text(const Json& result, bool as_json) {
-  if (as_json) return json_text(result, 2) + '\n';
+  if (as_json) return json_text(versioned(result), 2) + '\n';
   std::string text;
   append_lines(result, 0, text);
   return text;

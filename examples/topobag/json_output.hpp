@@ -20,7 +20,14 @@ Json or_null(const std::optional<Value>& value) {
 /// becomes U+FFFD.
 std::string json_text(const Json& json, int indent = -1);
 
-/// The result as JSON, or for reading: a line per value, nested values indented.
+/// The version of the shape of all JSON that the program writes, which examples/docs describes. It
+/// rises when a key goes or changes its meaning, not when one is added.
+inline constexpr int json_schema = 1;
+
+/// The object with its version, which comes first.
+Json versioned(const Json& json);
+
+/// The result as JSON, versioned, or for reading: a line per value, nested values indented.
 std::string output_text(const Json& result, bool as_json);
 
 }  // namespace program

@@ -12,17 +12,21 @@
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 
+#include "frame_poses.hpp"
 #include "input_error.hpp"
+#include "progress.hpp"
 
 namespace program {
 namespace {
 
-std::vector<const FrameRow*> select_keyframes(const NodeTable& table, double interval) {
+/// For k = 0, 1, … the first frame at or after t0 + k · interval, each at most once.
+template <typename Frame>
+std::vector<const Frame*> at_interval(const std::vector<Frame>& frames, double interval) {
   const double rounding = 1e-6;  // s; of the stamps' last digit
-  std::vector<const FrameRow*> selected;
+  std::vector<const Frame*> selected;
   double due = 0.0;
-  for (const FrameRow& frame : table.frames) {
-    const double elapsed = frame.timestamp - table.frames.front().timestamp + rounding;
+  for (const Frame& frame : frames) {
+    const double elapsed = frame.timestamp - frames.front().timestamp + rounding;
     if (elapsed < due) continue;
     selected.push_back(&frame);
     if (interval > 0.0) due = (std::floor(elapsed / interval) + 1.0) * interval;
@@ -107,10 +111,12 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
 
   std::vector<Keyframe> keyframes;
   const FrameRow* previous = nullptr;
-  for (const FrameRow* frame : select_keyframes(table, options.interval)) {
+  const auto selected = at_interval(table.frames, options.interval);
+  Progress progress(selected.size(), "key frames made");
+  for (const FrameRow* frame : selected) {
     topobag::KeyframeSighting seen = topobag::sight_keyframe(frame->timestamp, frame->detections,
                                                              options.camera, catalog, sighting);
-    Keyframe keyframe{frame->idx, frame->timestamp, frame->T_world_camera, {}};
+    Keyframe keyframe{frame->idx, frame->timestamp, frame->T_world_camera, {}, {}};
     if (options.window > 0.0) {
       local.add(seen.stamp, seen.nodes, relative_pose(previous ? *previous : *frame, *frame),
                 std::move(seen.view), frame->gravity);
@@ -122,12 +128,14 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
     }
     keyframes.push_back(std::move(keyframe));
     previous = frame;
+    progress.step();
   }
   return keyframes;
 }
 
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options) {
   NodeTable table = read_node_table(set);
+  if (!options.trajectory.empty()) take_poses(options.trajectory, table.frames);
   require_in_image(set, table, options.camera);
   apply(options.stress, table);
   apply(options.gravity, Draws{options.stress.seed, options.stress.stream, 1}, table);
@@ -137,9 +145,14 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
   } catch (const topobag::InvalidValue& invalid) {
     throw InputError(set_name(set) + ".frames.csv", invalid.what());
   }
-  // Single frames may be compared without a position.
-  if (options.window > 0.0) require_usable(set, table, keyframes, options);
+  if (options.matchable) require_usable(set, table, keyframes, options);
   return keyframes;
+}
+
+std::vector<Keyframe> thinned(const std::vector<Keyframe>& keyframes, double interval) {
+  std::vector<Keyframe> kept;
+  for (const Keyframe* keyframe : at_interval(keyframes, interval)) kept.push_back(*keyframe);
+  return kept;
 }
 
 std::optional<topobag::Trajectory> true_trajectory(const std::vector<Keyframe>& keyframes) {

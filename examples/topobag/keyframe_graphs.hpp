@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include <topobag/evaluation/trajectory.hpp>
-#include <topobag/graph/topology_graph.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
 #include <topobag/types/dynamics.hpp>
 
+#include "keyframe.hpp"
 #include "node_table.hpp"
 #include "table_gravity.hpp"
 #include "table_stress.hpp"
@@ -28,16 +25,9 @@ struct KeyframeOptions {
   topobag::DynamicsSet keep{topobag::Dynamics::low,
                             topobag::Dynamics::medium};  ///< dynamic filter: levels that are kept
   TableStress stress{};                                  ///< done to the table by `read_keyframes`
-  TableGravity gravity{};  ///< which way is down, told to the table by `read_keyframes`
-};
-
-/// A key frame and its graph, which knows nothing of where in the world it is, but for which way is
-/// down where the frame knows.
-struct Keyframe {
-  std::int64_t idx = 0;                             ///< number of the frame in its table
-  double timestamp = 0.0;                           ///< s
-  std::optional<Eigen::Isometry3d> T_world_camera;  ///< the truth, for scoring alone
-  topobag::TopologyGraph<> graph;
+  TableGravity gravity{};    ///< which way is down, told to the table by `read_keyframes`
+  std::string trajectory{};  ///< file of the frames' poses, instead of the table's; empty = none
+  bool matchable = true;     ///< `read_keyframes` wants a graph that can be matched
 };
 
 /// The key frames of a table: for k = 0, 1, … the first frame at or after t0 + k · interval, each
@@ -46,10 +36,13 @@ struct Keyframe {
 /// comes along. Throws topobag::InvalidValue when a window lacks a pose.
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options);
 
-/// Reads the table, puts it under stress, tells it which way is down, and makes the graphs of its
-/// key frames. Throws InputError, also where its boxes are not of the camera's image, and where not
-/// one graph is usable.
+/// Reads the table, gives it its poses, puts it under stress, tells it which way is down, and makes
+/// the graphs of its key frames. Throws InputError, also where its boxes are not of the camera's
+/// image, and where not one graph is usable, unless none has to be.
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options);
+
+/// Those of the key frames that follow each other by at least `interval` s; 0 = all.
+std::vector<Keyframe> thinned(const std::vector<Keyframe>& keyframes, double interval);
 
 /// The true poses of all key frames; nothing when one is not known.
 std::optional<topobag::Trajectory> true_trajectory(const std::vector<Keyframe>& keyframes);

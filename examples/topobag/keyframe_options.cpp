@@ -5,6 +5,7 @@
 
 #include "gravity_options.hpp"
 #include "number_check.hpp"
+#include "progress.hpp"
 #include "saved_map.hpp"
 
 namespace program {
@@ -31,6 +32,10 @@ void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize
   command.add_option("--seed", stress.seed, "Of the stress and of the gravity's noise")
       ->capture_default_str();
   add_gravity_options(command, options.gravity);
+  command.add_option("--trajectory", options.trajectory,
+                     "Poses of the frames, by their time: TUM, OpenLORIS or SET.frames.csv [the "
+                     "table's]");
+  add_progress_option(command);
 }
 
 void add_map_options(CLI::App& command, MapAndQuery& tables) {
@@ -38,6 +43,8 @@ void add_map_options(CLI::App& command, MapAndQuery& tables) {
                     "The map's camera, where it is another one");
   add_world_up_option(command, "--map-world-up", tables.map_world_up,
                       "Which way is up in the map's world, where it is another one");
+  command.add_option("--map-trajectory", tables.map_trajectory,
+                     "The same as --trajectory for the map's table");
 }
 
 RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions options,
@@ -46,6 +53,7 @@ RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions opt
   KeyframeOptions map_options = options;
   if (tables.map_camera.fx > 0.0) map_options.camera = with_size(tables.map_camera, image_size);
   if (tables.map_world_up) map_options.gravity.world_up = tables.map_world_up;
+  map_options.trajectory = tables.map_trajectory;
   options.stress.stream = map_options.stress.stream + 1;
   RecognitionRun run;
   run.map_set = set_name(tables.map);

@@ -14,8 +14,8 @@
 
 namespace program {
 
-/// Adds `--camera`, `--image-size`, how key frames are made, which way is up, and what stress the
-/// table is put under.
+/// Adds `--camera`, `--image-size`, how key frames are made, which way is up, where their poses
+/// come from, what stress the table is put under, and `--progress`.
 void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize& image_size);
 
 /// A map and the key frames to look up in it.
@@ -24,9 +24,10 @@ struct MapAndQuery {
   std::string query;
   topobag::PinholeCamera<> map_camera;          ///< no focal length: that of the query
   std::optional<Eigen::Vector3d> map_world_up;  ///< nothing: that of the query
+  std::string map_trajectory{};                 ///< file of the map's poses; empty: the table's
 };
 
-/// Adds `--map-camera` and `--map-world-up`.
+/// Adds `--map-camera`, `--map-world-up` and `--map-trajectory`.
 void add_map_options(CLI::App& command, MapAndQuery& tables);
 
 /// Reads both tables. Throws InputError.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
+#include <optional>
 #include <string>
+
+#include <topobag/evaluation/protocol_text.hpp>
 
 #include "calibration_options.hpp"
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "look_up.hpp"
 #include "match_svg.hpp"
+#include "number_check.hpp"
 #include "recognition_options.hpp"
 #include "report/recognition_page.hpp"
 
@@ -16,6 +20,7 @@ namespace {
 struct LocalizeArguments {
   MapAndQuery tables;
   std::string svg;
+  std::optional<double> leave_out_radius;  ///< m
   RecognitionArguments recognition;
   RecognitionReportArguments report;
   CalibrationArguments calibration;
@@ -24,8 +29,12 @@ struct LocalizeArguments {
 void localize(const LocalizeArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
+  topobag::parse_protocol(arguments.report.protocol);
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
-  look_up_in_map(run, calibration_request(arguments.calibration, common));
+  run.queries = thinned(run.queries, common.query_interval);
+  run.kept = kept_for(arguments.report);
+  look_up_in_map(run, calibration_request(arguments.calibration, common),
+                 arguments.leave_out_radius);
   require_queries(run);
   run.in_map = count_in_map(run);
   save_calibration(arguments.calibration, run);
@@ -49,6 +58,11 @@ void add_localize_command(CLI::App& app) {
       ->required();
   add_recognition_options(command, arguments->recognition);
   add_map_options(command, arguments->tables);
+  command
+      .add_option("--leave-out-radius", arguments->leave_out_radius,
+                  "Look a key frame up without the map's that are nearer to it, m: its own place "
+                  "is then not in the map")
+      ->check(number_within(0.0));
   command.add_option("--svg", arguments->svg, "File to draw the best accepted match in");
   add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);

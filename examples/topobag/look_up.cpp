@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/explain.hpp>
 #include <topobag/recognition/loop_detector.hpp>
+#include <topobag/recognition/place_score.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 #include <topobag/types/class_catalog.hpp>
 
+#include "progress.hpp"
 #include "stopwatch.hpp"
 
 namespace program {
@@ -39,12 +42,36 @@ topobag::Relocalizer<> relocalizer_of(const std::vector<Keyframe>& map) {
   return relocalizer;
 }
 
-/// What `recognize` says, and the time it took.
+TriedCandidate tried_candidate(const topobag::CandidateReport& report) {
+  TriedCandidate tried;
+  tried.candidate = topobag::value(report.id);
+  tried.verdict = report.verdict;
+  tried.similarity = report.similarity;
+  tried.place_score = topobag::place_score(report);
+  if (!report.pose) return tried;
+  tried.objects = static_cast<std::uint32_t>(report.pose->inliers.size());
+  tried.score = report.score();
+  return tried;
+}
+
+/// What `recognize` says, as far as it is kept, and the time it took.
 template <typename Recognize>
-LookUp timed(const Recognize& recognize) {
+LookUp timed(KeptCandidates kept, const Recognize& recognize) {
   const Stopwatch watch;
   topobag::Recognition recognition = recognize();
-  return {std::move(recognition), watch.milliseconds(), {}, {}};
+  LookUp look_up;
+  look_up.milliseconds = watch.milliseconds();
+  auto& reports = recognition.candidates;
+  if (kept == KeptCandidates::tried) {
+    std::transform(reports.begin(), reports.end(), std::back_inserter(look_up.tried),
+                   tried_candidate);
+  }
+  if (kept != KeptCandidates::reports && reports.size() > 1) {
+    reports.erase(reports.begin() + 1, reports.end());
+    reports.shrink_to_fit();
+  }
+  look_up.recognition = std::move(recognition);
+  return look_up;
 }
 
 /// Learns from the map of a run.
@@ -57,7 +84,9 @@ topobag::Calibration learn(const RecognitionRun& run, const std::vector<Keyframe
   const auto usable =
       std::count_if(other_places.begin(), other_places.end(),
                     [](const Keyframe& other) { return other.graph.is_matchable(); });
+  Progress progress(ids.size(), "look-ups to learn from");
   topobag::CalibrateOptions options;
+  options.on_look_up = [&] { progress.step(); };
   if (min_gap) options.by_pose.min_time_gap = *min_gap;
   if (static_cast<std::size_t>(usable) >= options.calibration.min_negatives) {
     options.null_look_ups = 0;
@@ -88,38 +117,46 @@ topobag::RecognitionOptions decided_options(RecognitionRun& run, const Calibrati
 
 }  // namespace
 
-void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request) {
-  const topobag::RecognitionOptions options = decided_options(run, request);
+void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
+                    std::optional<double> leave_out_radius) {
+  if (leave_out_radius) require_poses(run, "--leave-out-radius");
+  topobag::RecognitionOptions options = decided_options(run, request);
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run.map);
   run.look_ups.clear();
+  Progress progress(run.queries.size(), "key frames looked up");
   for (const Keyframe& query : run.queries) {
-    run.look_ups.push_back(timed([&] { return relocalizer.localize(query.graph, options); }));
+    if (leave_out_radius) {
+      const topobag::MapRegion own{query.T_world_camera->translation(), *leave_out_radius};
+      options.retrieval.filter = [own](topobag::KeyframeId, const topobag::EntryInfo& info) {
+        return !own.contains(info.T_world_camera->translation());
+      };
+    }
+    run.look_ups.push_back(
+        timed(run.kept, [&] { return relocalizer.localize(query.graph, options); }));
+    progress.step();
   }
 }
 
 topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index) {
   const topobag::Recognition& recognition = run.look_ups[index].recognition;
-  topobag::Explanation explanation =
-      topobag::explain(recognition, relocalizer_of(run.map).map(), run.queries[index].graph,
-                       topobag::ClassCatalog::coco80(), table_recognition_options());
-  for (topobag::CandidateExplanation& candidate : explanation.candidates) {
-    const auto frame_of = [&](topobag::KeyframeId id) {
-      return topobag::KeyframeId{static_cast<std::uint64_t>(run.map[topobag::value(id)].idx)};
-    };
-    candidate.id = frame_of(candidate.id);
-    if (candidate.rival) candidate.rival->id = frame_of(candidate.rival->id);
-  }
-  return explanation;
+  return topobag::explain(recognition, relocalizer_of(run.map).map(), run.queries[index].graph,
+                          topobag::ClassCatalog::coco80(), table_recognition_options());
 }
 
 void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationRequest& request) {
   topobag::LoopDetector<> loops({min_gap, decided_options(run, request, min_gap)});
   run.look_ups.clear();
-  for (std::size_t i = 0; i < run.queries.size(); ++i) {
-    const Keyframe& query = run.queries[i];
-    run.look_ups.push_back(timed([&] { return loops.detect(query.timestamp, query.graph); }));
-    if (!query.graph.is_matchable()) continue;
-    loops.bag().add(topobag::KeyframeId{i}, query.graph, info_of(query));
+  Progress progress(run.map.size(), "key frames looked up");
+  for (std::size_t i = 0; i < run.map.size(); ++i) {
+    const Keyframe& keyframe = run.map[i];
+    const std::size_t next = run.look_ups.size();
+    if (next < run.queries.size() && run.queries[next].idx == keyframe.idx) {
+      run.look_ups.push_back(
+          timed(run.kept, [&] { return loops.detect(keyframe.timestamp, keyframe.graph); }));
+    }
+    progress.step();
+    if (!keyframe.graph.is_matchable()) continue;
+    loops.bag().add(topobag::KeyframeId{i}, keyframe.graph, info_of(keyframe));
   }
 }
 
@@ -127,11 +164,13 @@ void verify(RecognitionRun& run, const std::vector<std::vector<topobag::Candidat
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run.map);
   const topobag::RecognitionOptions& options = relocalizer.options();
   run.look_ups.clear();
+  Progress progress(run.queries.size(), "key frames verified");
   for (std::size_t i = 0; i < run.queries.size(); ++i) {
-    run.look_ups.push_back(timed([&] {
+    run.look_ups.push_back(timed(run.kept, [&] {
       return topobag::verify_candidates(relocalizer.map(), run.queries[i].graph, candidates[i],
                                         options);
     }));
+    progress.step();
   }
 }
 

@@ -24,16 +24,21 @@ struct CalibrationRequest {
   std::optional<topobag::Calibration> learnt{};  ///< before; then nothing is learnt
 };
 
-/// Looks every query up in the whole map, by the library's defaults, or by a decision that is
-/// calibrated first.
-void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request = {});
+/// Looks every query up in the map, by the library's defaults, or by a decision that is calibrated
+/// first.
+/// @param leave_out_radius  m; a query is not looked up among key frames whose cameras are nearer:
+///                          its own place is then not in the map. Throws InputError when one has no
+///                          pose.
+void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request = {},
+                    std::optional<double> leave_out_radius = std::nullopt);
 
-/// Why a query that was looked up in the map was or was not accepted. Key frames go by the numbers
-/// of their frames.
+/// Why a query that was looked up in the map was or was not accepted. Ids are positions in the map.
+/// Precondition: the run keeps all reports.
 topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index);
 
-/// Looks every key frame of a sequence up among those at least `min_gap` s older. What is learnt is
-/// learnt from the whole sequence first. Precondition: map and queries are the same.
+/// Looks every query up among the sequence's key frames that are at least `min_gap` s older. What
+/// is learnt is learnt from the whole sequence first. Precondition: the queries are the map's key
+/// frames, or some of them in their order.
 void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationRequest& request = {});
 
 /// Verifies each query's own candidates, by the library's defaults, whoever retrieved them.

@@ -2,11 +2,14 @@
 #include <memory>
 #include <string>
 
+#include <topobag/evaluation/protocol_text.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 
 #include "calibration_options.hpp"
 #include "commands.hpp"
+#include "csv_reader.hpp"
 #include "look_up.hpp"
+#include "match_svg.hpp"
 #include "number_check.hpp"
 #include "recognition_options.hpp"
 #include "report/recognition_page.hpp"
@@ -17,6 +20,7 @@ namespace {
 struct LoopsArguments {
   std::string nodes;
   double min_gap = topobag::LoopOptions{}.min_gap;  ///< s
+  std::string svg;
   RecognitionArguments recognition;
   RecognitionReportArguments report;
   CalibrationArguments calibration;
@@ -25,11 +29,15 @@ struct LoopsArguments {
 void find_loops(const LoopsArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
+  topobag::parse_protocol(arguments.report.protocol);
   RecognitionRun run = read_sequence(arguments.nodes, common.keyframes, common.image_size);
+  run.queries = thinned(run.queries, common.query_interval);
+  run.kept = kept_for(arguments.report);
   look_up_earlier(run, arguments.min_gap, calibration_request(arguments.calibration, common));
   require_queries(run);
   save_calibration(arguments.calibration, run);
   score(run, common.scoring);
+  if (!arguments.svg.empty()) write_file(arguments.svg, match_svg(run));
   write_recognition_report(run, common, arguments.report, arguments.min_gap);
   print_report(run, common);
 }
@@ -48,6 +56,7 @@ void add_loops_command(CLI::App& app) {
       ->check(number_within(0.0))
       ->capture_default_str();
   add_recognition_options(command, arguments->recognition);
+  command.add_option("--svg", arguments->svg, "File to draw the best loop in");
   add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);
   command.callback([arguments] { find_loops(*arguments); });

@@ -12,11 +12,19 @@
 
 namespace {
 
-/// What is wrong with the command line; CLI11 asks for a command without naming the one that there
-/// is not.
+/// What is wrong with the command line, where CLI11 does not say it in the user's words.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string said = error.what();
+  const std::string not_converted = "Could not convert: ";
+  if (said.rfind(not_converted, 0) == 0) {
+    return said.substr(not_converted.size()) + " is not a number of its kind";
+  }
+  if (!app.get_subcommands().empty()) return said;
   const auto words = app.remaining();
-  if (!app.get_subcommands().empty() || words.empty()) return error.what();
+  if (words.empty()) return "give a command";
+  if (words.front().rfind('-', 0) == 0) {
+    return "a command comes first, then its options such as " + words.front();
+  }
   return "there is no command '" + words.front() + "'";
 }
 

@@ -127,8 +127,8 @@ std::string pair_svg(const RecognitionRun& run, std::size_t index,
   draw_text(out, margin, 30, "title", title_of(run, match));
   const topobag::RelativePose pose = match.pose.value_or(topobag::RelativePose{});
   if (match.pose) draw_text(out, margin, 52, "pose", pose_line(pose, error));
-  draw_text(out, margin, header - 8, "place", "map, frame " + std::to_string(candidate.idx));
-  draw_text(out, right_side, header - 8, "place", "query, frame " + std::to_string(query.idx));
+  draw_text(out, margin, header - 8, "place", "map, " + name_of(candidate));
+  draw_text(out, right_side, header - 8, "place", "query, " + name_of(query));
 
   std::set<topobag::NodeIndex> left_matched;
   std::set<topobag::NodeIndex> right_matched;

@@ -5,7 +5,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,11 +12,13 @@
 
 #include "box_files.hpp"
 #include "camera_option.hpp"
+#include "class_list.hpp"
 #include "commands.hpp"
-#include "csv_reader.hpp"
 #include "detect_nodes.hpp"
 #include "input_error.hpp"
+#include "name_check.hpp"
 #include "number_check.hpp"
+#include "progress.hpp"
 
 namespace program {
 namespace {
@@ -33,24 +34,6 @@ struct NodesOptions {
   topobag::YoloOptions yolo;
   bool colors = false;
 };
-
-/// The class behind each score of the network: COCO's order, or that of a file of names.
-std::vector<topobag::ClassId> read_classes(const std::string& names,
-                                           const topobag::ClassCatalog& catalog) {
-  if (names.empty()) return catalog.ids();
-  std::vector<topobag::ClassId> classes;
-  std::istringstream stream(read_file(names));
-  topobag::TextLines lines(stream, names);
-  std::size_t before = 0;
-  for (std::string_view line; lines.next(line); before = lines.number()) {
-    if (!classes.empty() && lines.number() != before + 1) {
-      throw lines.error("a blank or comment line above hides which number this class has");
-    }
-    lines.located([&] { classes.push_back(catalog.at(std::string(line))); });
-  }
-  if (classes.empty()) throw InputError(names, "there is no class in the file");
-  return classes;
-}
 
 /// "12 of one kind, 1 of another", those that are not 0; "nothing" where all are.
 std::string counts_text(const std::vector<std::pair<std::size_t, const char*>>& counts) {
@@ -104,27 +87,50 @@ std::string summary(const std::string& set, const NodesTally& tally, const std::
   return text.str();
 }
 
+/// All that the detections depend on.
+std::string text_of(const NodesOptions& options) {
+  const topobag::PinholeCamera<>& camera = options.camera;
+  const topobag::YoloOptions& yolo = options.yolo;
+  std::ostringstream text;
+  text.precision(17);
+  for (const std::string* file :
+       {&options.images, &options.model, &options.boxes, &options.names}) {
+    text << *file << ' ';
+    if (std::filesystem::is_regular_file(*file)) text << std::filesystem::file_size(*file) << ' ';
+  }
+  text << camera.fx << ' ' << camera.fy << ' ' << camera.cx << ' ' << camera.cy << ' '
+       << camera.width << ' ' << camera.height << ' ' << options.depth_scale << ' '
+       << static_cast<int>(yolo.head) << ' ' << yolo.min_confidence << ' ' << yolo.max_iou << ' '
+       << yolo.input_size << ' '
+       << options.colors;
+  return text.str();
+}
+
 void make_nodes(const NodesOptions& options) {
   const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
   const std::filesystem::path folder = std::filesystem::path(options.out).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw InputError("--out " + options.out, "the folder does not exist; make it first");
   }
-  topobag::PinholeCamera<> camera = options.camera;
   DetectionSource source{
-      options.model, options.yolo, read_classes(options.names, catalog), {}, options.colors};
+      options.model,
+      options.yolo,
+      options.names.empty() ? catalog.ids() : read_class_list(options.names, catalog),
+      {},
+      options.colors};
   const RgbdSequence sequence = read_tum_sequence(options.images);
+  const bool sized = options.camera.width > 0;
+  const topobag::PinholeCamera<> camera =
+      with_size(options.camera, sized ? ImageSize{} : size_of_image(sequence.frames.front().rgb));
   if (!options.boxes.empty()) {
-    if (std::filesystem::is_directory(options.boxes) && camera.width == 0) {
-      throw InputError("--boxes " + options.boxes,
-                       "YOLO files need the image size: give --camera fx,fy,cx,cy,width,height");
-    }
     std::vector<std::string> images;
     for (const RgbdFrame& frame : sequence.frames) images.push_back(frame.rgb);
     source.boxes =
         read_boxes(options.boxes, images, {source.classes, catalog, camera.width, camera.height});
   }
-  const DetectedNodes detected = detect_nodes(sequence.frames, source, options.depth_scale, camera);
+  NodesCheckpoint checkpoint(options.out, text_of(options));
+  const DetectedNodes detected =
+      detect_nodes(sequence.frames, source, options.depth_scale, camera, checkpoint);
   const NodesTally tally(detected.table, camera, catalog);
   const std::string left_out = left_out_text(sequence, source, detected);
   if (tally.detections == 0) {
@@ -133,6 +139,7 @@ void make_nodes(const NodesOptions& options) {
                                                         " images; left out: " + left_out);
   }
   write_node_table(options.out, detected.table, catalog);
+  checkpoint.remove();
   std::cout << summary(options.out, tally, left_out);
 }
 
@@ -140,7 +147,9 @@ void make_nodes(const NodesOptions& options) {
 
 void add_nodes_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
-      "nodes", "Turns RGB-D images into a node table: what a detector sees in them, and how far");
+      "nodes",
+      "Turns RGB-D images into a node table: what a detector sees in them, and how far. The same "
+      "command goes on where it was ended");
   const auto options = std::make_shared<NodesOptions>();
   command.add_option("--images", options->images, "Sequence in the TUM RGB-D layout")->required();
   CLI::Option_group& detector = *command.add_option_group("detector");
@@ -158,11 +167,10 @@ void add_nodes_command(CLI::App& app) {
       ->check(number_within(1e-6))
       ->capture_default_str();
   command.add_option("--head", options->yolo.head, "How the network writes detections down")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, topobag::YoloHead>{{"yolox", topobag::YoloHead::yolox},
-                                                   {"yolov5", topobag::YoloHead::yolov5},
-                                                   {"yolov8", topobag::YoloHead::yolov8}},
-          CLI::ignore_case))
+      ->transform(
+          one_of(std::map<std::string, topobag::YoloHead>{{"yolox", topobag::YoloHead::yolox},
+                                                          {"yolov5", topobag::YoloHead::yolov5},
+                                                          {"yolov8", topobag::YoloHead::yolov8}}))
       ->default_str("yolox");
   command
       .add_option("--min-confidence", options->yolo.min_confidence, "Least score of a detection")
@@ -178,6 +186,7 @@ void add_nodes_command(CLI::App& app) {
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, bool>{{"none", false}, {"color", true}}, CLI::ignore_case))
       ->default_str("none");
+  add_progress_option(command);
   command.callback([options] { make_nodes(*options); });
 }
 

@@ -8,6 +8,21 @@
 
 namespace program {
 
+namespace {
+
+/// Whether a line every five seconds was asked for.
+bool& lines_wanted() {
+  static bool wanted = false;
+  return wanted;
+}
+
+}  // namespace
+
+void add_progress_option(CLI::App& command) {
+  command.add_flag("--progress", lines_wanted(),
+                   "Say on stderr how far the work has come, also where that is no terminal");
+}
+
 Progress::Progress(std::size_t total, std::string unit)
     : total_(total), unit_(std::move(unit)), terminal_(isatty(STDERR_FILENO) == 1) {}
 
@@ -16,14 +31,15 @@ Progress::~Progress() {
   if (terminal_) std::cerr << clear_line << std::flush;
 }
 
-void Progress::step() {
-  ++done_;
+void Progress::step(std::size_t steps) {
+  done_ += steps;
   const auto now = Clock::now();
+  if (!terminal_ && !lines_wanted()) return;
   const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(5000);
   if (now - said_ < pause) return;
   said_ = now;
   std::cerr << (terminal_ ? "\r" : "") << done_ << " of " << total_ << ' ' << unit_
-            << (terminal_ ? "" : "\n") << std::flush;
+            << (terminal_ ? "\x1B[K" : "\n") << std::flush;
 }
 
 }  // namespace program

@@ -5,10 +5,15 @@
 #include <cstddef>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 namespace program {
 
-/// Tells on stderr how far long work has come: one live line on a terminal, else a line every five
-/// seconds.
+/// Adds `--progress`: long work tells of itself also where stderr is no terminal.
+void add_progress_option(CLI::App& command);
+
+/// Tells on stderr how far long work has come: one live line on a terminal, else, where
+/// `--progress` was given, a line every five seconds. Nothing of work that is done at once.
 class Progress {
  public:
   /// @param total  steps of the whole work
@@ -18,8 +23,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// One step is done.
-  void step();
+  /// So many steps are done.
+  void step(std::size_t steps = 1);
 
  private:
   using Clock = std::chrono::steady_clock;

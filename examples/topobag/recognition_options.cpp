@@ -18,6 +18,8 @@ void add_recognition_options(CLI::App& command, RecognitionArguments& arguments)
         ->capture_default_str();
   };
   const double any = std::numeric_limits<double>::infinity();
+  number("--query-interval", arguments.query_interval,
+         "From one key frame that is looked up to the next, s; 0 = every key frame", any);
   topobag::PoseLimits& limits = arguments.scoring.limits;
   number("--correct-translation", limits.correct_translation_m, "Correct up to, m", any);
   number("--correct-rotation", limits.correct_rotation_deg, "Correct up to, degrees", 180.0);
@@ -25,6 +27,10 @@ void add_recognition_options(CLI::App& command, RecognitionArguments& arguments)
   number("--wrong-rotation", limits.wrong_rotation_deg, "Wrong beyond, degrees", 180.0);
   command.add_flag("--different-places", arguments.scoring.different_places,
                    "The sequences share no place: every accepted match is wrong");
+  command
+      .add_option("--place-radius", arguments.scoring.place_radius,
+                  "A match with a key frame whose camera was farther away is wrong, m")
+      ->check(number_within(0.0));
   command.add_flag("--json", arguments.json, "Report in JSON");
   command.add_flag("--verbose", arguments.verbose, "A line for each key frame")->excludes("--json");
 }

@@ -13,11 +13,13 @@ struct RecognitionArguments {
   KeyframeOptions keyframes;
   ImageSize image_size;
   Scoring scoring;
+  double query_interval = 0.0;  ///< s from query to query; 0 = every key frame
   bool json = false;
   bool verbose = false;
 };
 
-/// Adds the key frames' options, the limits of the scoring and the forms of the report.
+/// Adds the key frames' options, which are looked up, what the scoring holds matches against, and
+/// the forms of the report.
 void add_recognition_options(CLI::App& command, RecognitionArguments& arguments);
 
 /// Throws InputError where a match would be correct and wrong at once.

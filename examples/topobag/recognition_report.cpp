@@ -11,6 +11,7 @@
 
 #include "calibration_report.hpp"
 #include "json_output.hpp"
+#include "keyframe_json.hpp"
 
 namespace program {
 namespace {
@@ -34,16 +35,24 @@ std::array<double, 7> pose_numbers(const Eigen::Isometry3d& pose) {
   return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
 }
 
+Json times_json(const std::optional<QueryTimes>& ms) {
+  if (!ms) return nullptr;
+  return {{"median", ms->median},
+          {"mean", ms->mean},
+          {"percentile_95", ms->percentile_95},
+          {"worst", ms->worst}};
+}
+
 Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCatalog& catalog) {
   const LookUp& look_up = run.look_ups[i];
   const topobag::CandidateReport& match = *look_up.recognition.accepted;
   Json objects = Json::object();
   for (const auto& [label, count] : match.matched) objects[catalog.name(label)] = count;
-  Json json{{"query_idx", run.queries[i].idx},
-            {"map_idx", run.map[topobag::value(match.id)].idx},
-            {"score", match.score()},
-            {"matched", objects},
-            {"pose_candidate_query", pose_numbers(match.pose->T_candidate_query)}};
+  Json json{{"query_idx", run.queries[i].idx}};
+  json.update(keyframe_json(run.map[topobag::value(match.id)], "map_"));
+  json["score"] = match.score();
+  json["matched"] = objects;
+  json["pose_candidate_query"] = pose_numbers(match.pose->T_candidate_query);
   if (look_up.error) {
     json["translation_error_m"] = look_up.error->translation_m;
     json["rotation_error_deg"] = look_up.error->rotation_deg;
@@ -97,6 +106,13 @@ void write_sequence(std::ostream& out, const char* role, const std::string& set,
 
 }  // namespace
 
+std::string times_text(const QueryTimes& ms) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(2) << "median " << ms.median << " ms, mean " << ms.mean
+      << " ms, 95 % within " << ms.percentile_95 << " ms, worst " << ms.worst << " ms";
+  return out.str();
+}
+
 std::string to_json(const RecognitionRun& run) {
   const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
   const RunSummary summary = summarize(run);
@@ -111,7 +127,7 @@ std::string to_json(const RecognitionRun& run) {
             {"unscored", summary.unscored},
             {"median_translation_error_m", or_null(summary.median_translation_error_m)},
             {"median_rotation_error_deg", or_null(summary.median_rotation_error_deg)},
-            {"median_query_ms", or_null(summary.median_query_ms)},
+            {"query_ms", times_json(summary.query_ms)},
             {"matches", Json::array()}};
   if (run.calibrated) json["calibration"] = calibration_json(*run.calibrated);
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
@@ -152,9 +168,7 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
         << " m, " << std::setprecision(1) << *summary.median_rotation_error_deg << "°\n";
   }
   if (run.calibrated) out << calibration_lines(*run.calibrated);
-  if (summary.median_query_ms) {
-    out << "  median query  " << std::setprecision(2) << *summary.median_query_ms << " ms\n";
-  }
+  if (summary.query_ms) out << "  look-up       " << times_text(*summary.query_ms) << '\n';
   return out.str();
 }
 
@@ -165,21 +179,21 @@ std::string to_lines(const RecognitionRun& run) {
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
     const LookUp& look_up = run.look_ups[i];
     const Keyframe& query = run.queries[i];
-    out << "idx " << query.idx << ", " << query.graph.size() << " objects: ";
+    out << name_of(query) << ", " << query.graph.size() << " objects: ";
     if (!look_up.is_query()) {
       out << (look_up.recognition.usable ? "nothing to compare with" : "no usable graph") << '\n';
       continue;
     }
-    const topobag::CandidateReport& best = look_up.recognition.accepted
-                                               ? *look_up.recognition.accepted
-                                               : look_up.recognition.candidates.front();
+    const topobag::CandidateReport& best = look_up.best();
     const Keyframe& candidate = run.map[topobag::value(best.id)];
     out << to_string(best.verdict);
     if (best.pose) {
-      out << std::setprecision(2) << ", map idx " << candidate.idx << ", score " << best.score()
+      out << std::setprecision(2) << ", map " << name_of(candidate) << ", score " << best.score()
           << " of " << best.threshold << ", " << count_text(best.matched, catalog)
           << missing_text(best, candidate.graph, query.graph, catalog);
-      if (best.rival) out << "; as well: map idx " << run.map[topobag::value(best.rival->id)].idx;
+      if (best.rival) {
+        out << "; as well: map " << name_of(run.map[topobag::value(best.rival->id)]);
+      }
     }
     if (look_up.error) {
       out << "; off by " << look_up.error->translation_m << " m, " << std::setprecision(1)

@@ -7,6 +7,9 @@
 
 namespace program {
 
+/// "median 1.20 ms, mean …": what look-ups took.
+std::string times_text(const QueryTimes& ms);
+
 /// A scored run for machines: the figures and every accepted match.
 std::string to_json(const RecognitionRun& run);
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include <topobag/bag/graph_codec.hpp>
@@ -21,6 +22,15 @@ std::optional<double> median(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return (*std::max_element(values.begin(), middle) + *middle) / 2.0;
+}
+
+std::optional<QueryTimes> query_times(std::vector<double> ms) {
+  if (ms.empty()) return std::nullopt;
+  std::sort(ms.begin(), ms.end());
+  const std::size_t within_95 = (95 * ms.size() + 99) / 100;
+  const double sum = std::accumulate(ms.begin(), ms.end(), 0.0);
+  return QueryTimes{*median(ms), sum / static_cast<double>(ms.size()), ms[within_95 - 1],
+                    ms.back()};
 }
 
 }  // namespace
@@ -56,21 +66,41 @@ std::size_t count_in_map(const RecognitionRun& run) {
   return static_cast<std::size_t>(std::count_if(run.queries.begin(), run.queries.end(), is_in_map));
 }
 
+void require_poses(const RecognitionRun& run, const std::string& option) {
+  const auto require = [&](const std::string& set, const std::vector<Keyframe>& keyframes) {
+    for (const Keyframe& keyframe : keyframes) {
+      if (keyframe.T_world_camera) continue;
+      throw InputError(set, name_of(keyframe) + " has no pose, which " + option +
+                                " needs of every key frame; give --trajectory");
+    }
+  };
+  require(run.query_set, run.queries);
+  require(run.map_set, run.map);
+}
+
+JudgedMatch judge_match(const RecognitionRun& run, std::size_t query,
+                        const topobag::CandidateReport& match, const Scoring& scoring) {
+  using topobag::PoseVerdict;
+  if (scoring.different_places) return {std::nullopt, PoseVerdict::wrong};
+  const auto& T_world_query = run.queries[query].T_world_camera;
+  const auto& T_world_candidate = run.map[topobag::value(match.id)].T_world_camera;
+  if (!T_world_query || !T_world_candidate) return {};
+  const Eigen::Isometry3d T_candidate_query = T_world_candidate->inverse() * *T_world_query;
+  const topobag::PoseError error =
+      topobag::pose_error(T_candidate_query, match.pose->T_candidate_query);
+  const bool elsewhere =
+      scoring.place_radius && T_candidate_query.translation().norm() > *scoring.place_radius;
+  return {error, elsewhere ? PoseVerdict::wrong : topobag::judge(error, scoring.limits)};
+}
+
 void score(RecognitionRun& run, const Scoring& scoring) {
+  if (scoring.place_radius) require_poses(run, "--place-radius");
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
     LookUp& look_up = run.look_ups[i];
-    const auto& match = look_up.recognition.accepted;
-    if (!match) continue;
-    if (scoring.different_places) {
-      look_up.verdict = topobag::PoseVerdict::wrong;
-      continue;
-    }
-    const auto& T_world_query = run.queries[i].T_world_camera;
-    const auto& T_world_candidate = run.map[topobag::value(match->id)].T_world_camera;
-    if (!T_world_query || !T_world_candidate) continue;
-    look_up.error = topobag::pose_error(T_world_candidate->inverse() * *T_world_query,
-                                        match->pose->T_candidate_query);
-    look_up.verdict = topobag::judge(*look_up.error, scoring.limits);
+    if (!look_up.recognition) continue;
+    const JudgedMatch judged = judge_match(run, i, *look_up.recognition.accepted, scoring);
+    look_up.error = judged.error;
+    look_up.verdict = judged.verdict;
   }
 }
 
@@ -95,7 +125,7 @@ RunSummary summarize(const RecognitionRun& run) {
   }
   summary.median_translation_error_m = median(std::move(translations));
   summary.median_rotation_error_deg = median(std::move(rotations));
-  summary.median_query_ms = median(std::move(times));
+  summary.query_ms = query_times(std::move(times));
   return summary;
 }
 

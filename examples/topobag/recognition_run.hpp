@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,17 +15,42 @@
 
 namespace program {
 
+/// A candidate of a look-up as tables tell of it.
+struct TriedCandidate {
+  std::size_t candidate = 0;  ///< position in the map
+  topobag::Verdict verdict = topobag::Verdict::no_agreement;
+  std::uint32_t objects = 0;      ///< that agree
+  double similarity = 0.0;        ///< of the retrieval
+  double place_score = 0.0;       ///< how sure it is that it was taken from about there
+  std::optional<double> score{};  ///< of its pose
+};
+
+/// What is kept of a look-up's candidates: a report of each takes kilobytes.
+enum class KeptCandidates {
+  best,     ///< the report of the best alone
+  tried,    ///< that, and a `TriedCandidate` of each
+  reports,  ///< every report
+};
+
 /// What came of one key frame that was looked up.
 struct LookUp {
-  topobag::Recognition recognition;  ///< its ids are positions in the map
+  topobag::Recognition recognition;  ///< its ids are positions in the map; the best candidate
+                                     ///< alone, unless all reports are kept
   double milliseconds = 0.0;         ///< of the query call alone
 
   // Of an accepted match:
   std::optional<topobag::PoseError> error;      ///< where both true poses are known
   std::optional<topobag::PoseVerdict> verdict;  ///< where it can be told
 
+  std::vector<TriedCandidate> tried{};  ///< all, best first, where they are kept
+
   /// Whether there was something to match, and something to match it with.
   bool is_query() const { return recognition.usable && !recognition.candidates.empty(); }
+
+  /// The accepted match, or the candidate that came nearest. Precondition: `is_query()`.
+  const topobag::CandidateReport& best() const {
+    return recognition.accepted ? *recognition.accepted : recognition.candidates.front();
+  }
 };
 
 /// A decision that errs at a rate, by what was learnt of false matches.
@@ -39,6 +65,7 @@ struct RecognitionRun {
   std::string query_set;
   std::vector<Keyframe> map;
   std::vector<Keyframe> queries;
+  KeptCandidates kept = KeptCandidates::best;
   std::vector<LookUp> look_ups;               ///< parallel to `queries`
   std::size_t in_map = 0;                     ///< queries that are key frames of the map itself
   std::optional<CalibratedRun> calibrated{};  ///< where the decision was
@@ -46,6 +73,10 @@ struct RecognitionRun {
 
 /// The name of a table without its folder.
 std::string name_of(const std::string& set);
+
+/// Throws InputError where a key frame of the map or the queries has no pose in the world.
+/// @param option  that needs them
+void require_poses(const RecognitionRun& run, const std::string& option);
 
 /// Throws InputError where no key frame could be looked up, and says why.
 void require_queries(const RecognitionRun& run);
@@ -58,10 +89,30 @@ std::size_t count_in_map(const RecognitionRun& run);
 struct Scoring {
   topobag::PoseLimits limits;
   bool different_places = false;  ///< map and query share no place: every accepted match is wrong
+  std::optional<double> place_radius{};  ///< m; a match of cameras farther apart is wrong
 };
 
-/// Compares each accepted match with the true poses.
+/// What the truth says of a candidate's pose.
+struct JudgedMatch {
+  std::optional<topobag::PoseError> error;      ///< where both true poses are known
+  std::optional<topobag::PoseVerdict> verdict;  ///< where it can be told
+};
+
+/// Holds a candidate of a query against the truth. Precondition: it has a pose.
+JudgedMatch judge_match(const RecognitionRun& run, std::size_t query,
+                        const topobag::CandidateReport& match, const Scoring& scoring);
+
+/// Compares each accepted match with the true poses. Throws InputError where a radius is asked for
+/// and a pose is not known.
 void score(RecognitionRun& run, const Scoring& scoring);
+
+/// What look-ups took, ms.
+struct QueryTimes {
+  double median = 0.0;
+  double mean = 0.0;
+  double percentile_95 = 0.0;  ///< 95 % took no longer
+  double worst = 0.0;
+};
 
 /// The figures of a scored run.
 struct RunSummary {
@@ -73,7 +124,7 @@ struct RunSummary {
   std::size_t unscored = 0;                          ///< accepted, but the truth is not known
   std::optional<double> median_translation_error_m;  ///< over the accepted with a true pose
   std::optional<double> median_rotation_error_deg;
-  std::optional<double> median_query_ms;
+  std::optional<QueryTimes> query_ms;
 };
 
 RunSummary summarize(const RecognitionRun& run);

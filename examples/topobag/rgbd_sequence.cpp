@@ -13,8 +13,8 @@
 #include <topobag/types/stamp.hpp>
 
 #include "csv_reader.hpp"
+#include "frame_poses.hpp"
 #include "input_error.hpp"
-#include "pose_files.hpp"
 
 namespace program {
 namespace {
@@ -70,6 +70,10 @@ RgbdSequence read_pairs(const fs::path& folder) {
     for (const auto& row : read_list(folder / "associations.txt", 2)) {
       frames.push_back({row[0].timestamp, row[0].path, row[1].path, std::nullopt});
     }
+  } else if (!fs::exists(folder / "depth.txt") && !fs::exists(folder / "rgb.txt")) {
+    throw InputError(folder.string(),
+                     "it is no sequence in the TUM RGB-D layout, which has associations.txt, or "
+                     "rgb.txt and depth.txt");
   } else {
     const auto depths = read_list(folder / "depth.txt", 1);
     for (const auto& row : read_list(folder / "rgb.txt", 1)) {
@@ -87,27 +91,14 @@ RgbdSequence read_pairs(const fs::path& folder) {
   return sequence;
 }
 
-void read_truth(const std::string& path, std::vector<RgbdFrame>& frames) {
-  const double max_gap_s = 0.1;
-  const topobag::Trajectory truth = topobag::read_tum(path);
-  bool any = false;
-  for (RgbdFrame& frame : frames) {
-    frame.T_world_camera = topobag::pose_at(truth, frame.timestamp, max_gap_s);
-    any = any || frame.T_world_camera;
-  }
-  if (any) return;
-  throw InputError(path, span_text(truth) + " reach none of the images, from " +
-                             std::to_string(frames.front().timestamp) + " to " +
-                             std::to_string(frames.back().timestamp) +
-                             " s; are both of one clock?");
-}
-
 }  // namespace
 
 RgbdSequence read_tum_sequence(const std::string& folder) {
   RgbdSequence sequence = read_pairs(folder);
   const fs::path truth = fs::path(folder) / "groundtruth.txt";
-  if (fs::exists(truth)) read_truth(truth.string(), sequence.frames);
+  if (fs::exists(truth)) {
+    give_poses(truth.string(), topobag::read_tum(truth.string()), sequence.frames);
+  }
   return sequence;
 }
 

@@ -86,6 +86,7 @@ enum class MapKind { sqlite, snapshot };
 
 /// By the file's first bytes, whatever its name.
 MapKind kind_of(const std::string& path) {
+  if (fs::is_directory(path)) throw InputError(path, "it is a folder; name the map in it");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path, "the file cannot be opened; check the path");
   std::string beginning(16, '\0');
@@ -116,6 +117,10 @@ Bag new_entries(const Bag& bag, const std::vector<Keyframe>& keyframes) {
   return entries;
 }
 
+bool is_saved_map(const std::string& path) {
+  return set_name(path) == path && fs::is_regular_file(path);
+}
+
 SavedMap read_saved_map(const std::string& path) {
   return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path) : read_snapshot(path);
 }
@@ -123,6 +128,7 @@ SavedMap read_saved_map(const std::string& path) {
 void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, bool append) {
   topobag::require_utf8(session, "--session");
+  if (fs::is_directory(path)) throw InputError(path, "it is a folder; name a file in it");
   const topobag::WriterLock lock(path);
   const bool exists = fs::exists(path);
   if (exists && !append) {
@@ -141,12 +147,23 @@ void write_saved_map(const std::string& path, const std::string& session,
 }
 
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options) {
-  if (!fs::is_regular_file(map)) return read_keyframes(map, options);
+  if (!is_saved_map(map)) return read_keyframes(map, options);
+  if (!options.trajectory.empty()) {
+    throw InputError(map, "it is a saved map, which has its poses: --map-trajectory is for tables");
+  }
+  const SavedMap saved = read_saved_map(map);
+  std::map<std::uint32_t, SavedSession> sessions;
+  for (const SavedSession& session : saved.sessions) sessions[session.id] = session;
+  std::map<std::uint32_t, std::uint64_t> first_ids;
   std::vector<Keyframe> keyframes;
-  read_saved_map(map).bag.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info,
-                                       const topobag::TopologyGraph<>& graph) {
-    keyframes.push_back({static_cast<std::int64_t>(topobag::value(id)), info.stamp.value_or(0.0),
-                         info.T_world_camera, graph});
+  saved.bag.for_each([&](topobag::KeyframeId key, const topobag::EntryInfo& info,
+                         const topobag::TopologyGraph<>& graph) {
+    const std::uint64_t id = topobag::value(key);
+    const std::uint64_t next = keyframes.empty() ? 0 : keyframes.back().saved->id + 1;
+    const std::uint64_t first = first_ids.emplace(info.session, next).first->second;
+    sessions[info.session].id = info.session;
+    keyframes.push_back({static_cast<std::int64_t>(id - first), info.stamp.value_or(0.0),
+                         info.T_world_camera, graph, SavedEntry{id, sessions[info.session]}});
   });
   if (keyframes.empty()) throw InputError(map, "the map holds no key frame");
   return keyframes;

@@ -11,12 +11,6 @@
 
 namespace program {
 
-/// One run of the robot in a map.
-struct SavedSession {
-  std::uint32_t id = 0;
-  std::string name;  ///< empty where the file keeps none
-};
-
 /// A map read from a file: an SQLite map or a snapshot.
 struct SavedMap {
   std::string format;  ///< such as "SQLite map, schema 1"
@@ -30,6 +24,9 @@ struct SavedMap {
 topobag::BagOfTopologyGraphs<> new_entries(const topobag::BagOfTopologyGraphs<>& bag,
                                            const std::vector<Keyframe>& keyframes);
 
+/// Whether a path names a saved map, not a table or one of a table's files.
+bool is_saved_map(const std::string& path);
+
 /// Throws InputError for a file that is neither kind of map; topobag::Error for one that is
 /// damaged.
 SavedMap read_saved_map(const std::string& path);
@@ -40,8 +37,9 @@ SavedMap read_saved_map(const std::string& path);
 void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, bool append);
 
-/// The key frames of a map: of a file, or, as `read_keyframes` makes them, of a table;
-/// never none. Throws InputError, and topobag::Error for a file that is damaged.
+/// The key frames of a map: of a file, or, as `read_keyframes` makes them, of a table; never none.
+/// Those of a file are numbered within their session, whose ids begin after the last one's before.
+/// Throws InputError, and topobag::Error for a file that is damaged.
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options);
 
 }  // namespace program

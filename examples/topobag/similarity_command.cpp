@@ -42,7 +42,8 @@ const Keyframe& frame_of(const std::vector<Keyframe>& frames, std::int64_t idx,
   const auto it = std::find_if(frames.begin(), frames.end(),
                                [&](const Keyframe& frame) { return frame.idx == idx; });
   if (it == frames.end()) {
-    throw InputError(set + ".frames.csv", "there is no frame idx " + std::to_string(idx));
+    throw InputError(set + ".frames.csv",
+                     "there is no frame idx " + std::to_string(idx) + "; name others by --frames");
   }
   return *it;
 }
@@ -128,6 +129,7 @@ std::string to_text(const SimilarityTable& table) {
 
 void print_similarities(const SimilarityArguments& arguments) {
   KeyframeOptions options = arguments.keyframes;
+  options.matchable = false;
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
   std::vector<const Keyframe*> frames;

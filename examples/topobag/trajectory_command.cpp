@@ -1,29 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <iostream>
-#include <locale>
 #include <map>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <topobag/evaluation/lifelong_score.hpp>
-#include <topobag/evaluation/relative_pose_error.hpp>
 #include <topobag/types/rigid_motion.hpp>
 
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "json_output.hpp"
+#include "name_check.hpp"
 #include "number_check.hpp"
 #include "pose_files.hpp"
+#include "trajectory_report.hpp"
 
 namespace program {
 namespace {
 
-using topobag::AlignmentModel;
 using topobag::RelativeStep;
 using topobag::RotationInterpolation;
 
@@ -68,85 +65,6 @@ Eigen::Isometry3d body_frame(const TrajectoryOptions& options, const std::string
   } catch (const topobag::InvalidValue&) {
     throw no_pose;
   }
-}
-
-Json statistics_json(const std::optional<topobag::ErrorStatistics>& s) {
-  if (!s) return nullptr;
-  return {{"rmse", s->rmse}, {"mean", s->mean}, {"median", s->median}, {"max", s->max}};
-}
-
-std::optional<double> rmse(const std::optional<topobag::ErrorStatistics>& statistics) {
-  return statistics ? std::optional<double>(statistics->rmse) : std::nullopt;
-}
-
-Json score_json(const topobag::SequenceScore& score, const RelativeStep& step) {
-  const auto relative = topobag::relative_pose_errors(score.pairs, step);
-  Json json;
-  json["poses"] = score.poses;
-  json["matched"] = score.errors.size();
-  json["correct"] = score.correct_ate_m ? score.correct_ate_m->count : 0;
-  json["cr"] = or_null(score.cr);
-  json["tracking_cr"] = or_null(score.tracking_cr);
-  json["cs_r"] = score.cs_r;
-  json["relocalization_time_s"] = or_null(score.relocalization_time_s);
-  json["ate_rmse"] = or_null(rmse(score.ate_m));
-  json["aoe_rmse"] = or_null(rmse(score.aoe_deg));
-  json["correct_ate_rmse"] = or_null(rmse(score.correct_ate_m));
-  json["correct_aoe_rmse"] = or_null(rmse(score.correct_aoe_deg));
-  json["ate_m"] = statistics_json(score.ate_m);
-  json["aoe_deg"] = statistics_json(score.aoe_deg);
-  json["rpe_steps"] = relative.size();
-  json["rpe_m"] = statistics_json(topobag::translation_statistics(relative));
-  json["rpe_deg"] = statistics_json(topobag::rotation_statistics(relative));
-  return json;
-}
-
-/// An infinite limit is none.
-Json limit_json(double limit) { return std::isfinite(limit) ? Json(limit) : Json(); }
-
-const std::map<std::string, AlignmentModel> alignments{
-    {"none", AlignmentModel::none}, {"se3", AlignmentModel::se3}, {"sim3", AlignmentModel::sim3}};
-const std::map<std::string, RelativeStep::Unit> units{{"frames", RelativeStep::Unit::frames},
-                                                      {"seconds", RelativeStep::Unit::seconds},
-                                                      {"metres", RelativeStep::Unit::metres}};
-
-template <typename Value>
-std::string name_of(const std::map<std::string, Value>& names, Value value) {
-  for (const auto& [name, other] : names) {
-    if (other == value) return name;
-  }
-  return "";
-}
-
-Json rules_json(const TrajectoryOptions& options, const topobag::LifelongRules& rules) {
-  Json json;
-  json["ate_threshold_m"] = limit_json(rules.ate_threshold_m);
-  json["aoe_threshold_deg"] = limit_json(rules.aoe_threshold_deg);
-  json["max_pose_interval_s"] = rules.max_pose_interval_s;
-  json["tau_s"] = rules.tau_s;
-  json["max_gap_s"] = rules.max_gap_s;
-  json["interpolation"] =
-      rules.interpolation == RotationInterpolation::slerp ? "slerp" : "openloris";
-  json["alignment"] = name_of(alignments, rules.alignment);
-  json["repeated_poses"] = options.keep_repeated ? "kept" : "dropped";
-  json["rpe_step"] = options.step.length;
-  json["rpe_unit"] = name_of(units, options.step.unit);
-  json["rpe_starts"] = options.step.all_starts ? "every pose" : "end to end";
-  return json;
-}
-
-std::string errors_csv(const std::map<int, topobag::SequenceScore>& scores) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(17);
-  text << "sequence,timestamp,ate_m,aoe_deg\n";
-  for (const auto& [number, score] : scores) {
-    for (std::size_t i = 0; i < score.errors.size(); ++i) {
-      text << number << ',' << score.pairs[i].stamp_s << ',' << score.errors[i].translation_m << ','
-           << score.errors[i].rotation_deg << '\n';
-    }
-  }
-  return text.str();
 }
 
 /// A pose's number is no time: poses that have none but that go with poses that have one.
@@ -197,7 +115,7 @@ void score_trajectory(const TrajectoryOptions& options) {
   Json result;
   result["groundtruth"] = options.groundtruth;
   result["estimate"] = options.estimate;
-  result["rules"] = rules_json(options, rules);
+  result["rules"] = rules_json(rules, options.step, options.keep_repeated);
   for (const auto& [number, score] : scores) {
     result["sequences"][std::to_string(number)] = score_json(score, options.step);
   }
@@ -245,7 +163,7 @@ void add_trajectory_command(CLI::App& app) {
   command
       .add_option("--alignment", rules.alignment,
                   "Of the first sequence, for all: none, se3 or sim3 [se3]")
-      ->transform(CLI::CheckedTransformer(alignments));
+      ->transform(one_of(alignment_names));
   command
       .add_option(
           "--interpolation", options->interpolation,
@@ -259,7 +177,7 @@ void add_trajectory_command(CLI::App& app) {
       ->check(positive)
       ->capture_default_str();
   command.add_option("--rpe-unit", options->step.unit, "frames, seconds or metres [frames]")
-      ->transform(CLI::CheckedTransformer(units));
+      ->transform(one_of(step_unit_names));
   command.add_flag("--rpe-consecutive", options->rpe_consecutive,
                    "Steps end to end instead of from every pose");
   command.add_option("--errors", options->errors, "CSV to write: the errors of every pose");

@@ -33,6 +33,9 @@ TEST_CASE("each test of a filter lets in what it says", "[bag]") {
   CHECK_FALSE(passes([](EntryFilter& f) { f.sessions = {1, 2}; }));
   CHECK(passes([](EntryFilter& f) { f.labels = {"hall", "kitchen"}; }));
   CHECK_FALSE(passes([](EntryFilter& f) { f.labels = {"hall"}; }));
+  CHECK(passes([](EntryFilter& f) { f.not_of = PresentVisit{3, 10.0}; }));
+  CHECK_FALSE(passes([](EntryFilter& f) { f.not_of = PresentVisit{3, 9.5}; }));
+  CHECK(passes([](EntryFilter& f) { f.not_of = PresentVisit{2, -1e300}; }));
   CHECK(passes([](EntryFilter& f) { f.region = MapRegion{{1.0, 2.0, 0.0}, 3.0}; }));
   CHECK_FALSE(passes([](EntryFilter& f) { f.region = MapRegion{{1.0, 2.0, 0.0}, 2.9}; }));
 }
@@ -45,4 +48,13 @@ TEST_CASE("a filter by time or place leaves out what has none", "[bag]") {
   for (const EntryFilter& filter : {since, until, near}) {
     CHECK_FALSE(filter.contains(KeyframeId{5}, {}));
   }
+}
+
+TEST_CASE("what has no time belongs to the visit of its session", "[bag]") {
+  EntryFilter earlier;
+  earlier.not_of = PresentVisit{0, 1e300};
+  EntryInfo info;
+  CHECK_FALSE(earlier.contains(KeyframeId{5}, info));
+  info.session = 1;
+  CHECK(earlier.contains(KeyframeId{5}, info));
 }

@@ -51,6 +51,10 @@ TEST_CASE("neighbours by time are those less than the gap apart, and those witho
   CHECK_FALSE(exclude.contains(KeyframeId{1}, at(80.0)));
   CHECK(exclude.contains(KeyframeId{1}, at(119.5)));
   CHECK_FALSE(exclude.contains(KeyframeId{1}, at(120.0)));
+  exclude.session = 1;  // at() is of session 0, which has a clock of its own
+  CHECK_FALSE(exclude.contains(KeyframeId{1}, at(100.0)));
+  exclude.session = 0;
+  CHECK(exclude.contains(KeyframeId{1}, at(100.0)));
 }
 
 TEST_CASE("either rule excludes", "[bag]") {

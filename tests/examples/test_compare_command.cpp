@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
+#include "csv_reader.hpp"
 #include "examples/report/page_text.hpp"
 #include "run_program.hpp"
 #include "sample.hpp"
@@ -116,7 +117,46 @@ TEST_CASE("compare prints a table and writes a report", "[examples][report]") {
   for (const Json& row : figures.at("precision-recall").at("rows")) {
     curves.insert(row.at(0).get<std::string>());
   }
-  CHECK(curves.size() == 3);
+  CHECK(curves.size() == figures.at("comparison").at("rows").size());  // of every method
+  const Json& shown = figures.at("comparison").at("rows").at(0);
+  std::size_t correct = 0, wrong = 0;
+  for (const Json& row : figures.at("trajectory").at("rows")) {
+    if (row.at(4) == "correct") ++correct;
+    if (row.at(4) == "wrong") ++wrong;
+  }
+  const Json& columns = figures.at("comparison").at("columns");
+  const auto shown_as = [&](const char* column) {
+    return shown.at(static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) -
+                                             columns.begin()));
+  };
+  CHECK(shown_as("correct") == correct);
+  CHECK(shown_as("wrong") == wrong);
+}
+
+TEST_CASE("a method of one's own is compared by its scores", "[examples]") {
+  const ScratchFolder folder;
+  const std::string pairs = folder.path("pairs.csv");
+  REQUIRE(run_program("localize --map " + sample_map + " --query " + sample_query + sample_options +
+                      "--pairs " + pairs)
+              .exit_code == 0);
+  program::CsvReader csv(pairs);
+  const std::size_t query = csv.column("query"), candidate = csv.column("candidate"),
+                    similarity = csv.column("similarity");
+  std::string list = "query,candidate,score\n";
+  while (csv.next()) {
+    list += std::string(csv.text(query)) + ',' + std::string(csv.text(candidate)) + ',' +
+            std::string(csv.text(similarity)) + '\n';
+  }
+  const Json comparison = compare(sets + " --scores " + folder.write("mine.csv", list));
+  const Json& own = method(comparison, "mine.csv");
+  const Json& bag = method(comparison, "class pairs x distance");  // whose scores they are
+  CHECK(own.at("pair_us").is_null());
+  for (const char* key : {"recall_at_1", "accepted", "correct", "wrong"}) {
+    CHECK(own.at(key) == bag.at(key));
+  }
+  CHECK(refusal(sets + sample_options + " --scores " + folder.write("few.csv", "1,2\n")) ==
+        folder.path("few.csv") +
+            ": the scores are 1 × 2, but the poses make 61 queries × 67 candidates");
 }
 
 TEST_CASE("bad options end compare with one line", "[examples]") {
@@ -132,6 +172,7 @@ TEST_CASE("bad options end compare with one line", "[examples]") {
         map + ": compare makes the graphs anew and needs a node table, not a saved map");
   folder.write("s.frames.csv", "idx,frame,timestamp\n0,a.png,1\n");
   folder.write("s.nodes.csv", "idx,class,conf,u,v,w,h,z\n");
-  CHECK(refusal("compare --window 0 --nodes " + folder.path("s") + " --camera 5,5,3,2") ==
-        folder.path("s.frames.csv") + ": not every key frame has a pose");
+  CHECK(refusal("compare --window 0 --nodes " + folder.path("s") + " --camera 5,5,3,2")
+            .find(folder.path("s.nodes.csv") + ": none of the 1 key frames has three objects") ==
+        0);
 }

@@ -65,11 +65,33 @@ TEST_CASE("explain draws the candidate", "[examples]") {
   const std::string drawing = program::read_file(folder.path("c.svg"));
   CHECK(drawing.find("<svg ") == 0);
   CHECK(drawing.find("nan") == std::string::npos);
-  CHECK(drawing.find("query, frame " + std::to_string(match.at("query_idx").get<int>())) !=
+  CHECK(drawing.find("query, idx " + std::to_string(match.at("query_idx").get<int>())) !=
         std::string::npos);
 }
 
 TEST_CASE("a frame that is no key frame is refused with what to do", "[examples]") {
   CHECK(refusal("explain " + sample_tables + sample_options + " --frame 999999")
             .find("--frame 999999: no key frame of the query has this idx") == 0);
+}
+
+TEST_CASE("a key frame of a saved map is told by session and frame", "[examples]") {
+  const ScratchFolder folder;
+  const std::string map = folder.path("map.bag");
+  for (const std::string& table : {sample_map, sample_query}) {
+    const ProgramRun run =
+        run_program("map --append --nodes " + table + sample_options + "--out " + map);
+    REQUIRE(run.exit_code == 0);
+  }
+  const std::string tables = "--map " + map + " --query " + sample_query;
+  const Json matches = json_of("localize " + tables).at("matches");
+  REQUIRE(matches.size() > 0);
+  const Json& match = matches.at(0);  // itself, the second session's
+  CHECK(match.at("map_session") == 1);
+  CHECK(match.at("map_idx") == match.at("query_idx"));
+  CHECK(match.at("map_id") == 67 + match.at("query_idx").get<int>());
+  const std::string frame = std::to_string(match.at("query_idx").get<int>());
+  const ProgramRun told = run_program("explain " + tables + sample_options + " --frame " + frame);
+  CHECK(told.out.find("map session 1, idx " + frame + ": accepted") != std::string::npos);
+  const ProgramRun lines = run_program("localize --verbose " + tables + sample_options);
+  CHECK(lines.out.find("accepted, map session 1, idx " + frame + ", score ") != std::string::npos);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <map>
 
 #include <nlohmann/json.hpp>
@@ -50,4 +51,17 @@ TEST_CASE("a gap longer than the sequence leaves no query, which is an error", "
 TEST_CASE("a bad gap ends loops with one line", "[examples]") {
   refusal("loops --nodes a --camera 5,5,3,2 --min-gap -1");
   refusal("loops --nodes a --camera 5,5,3,2 --min-gap nan");
+}
+
+TEST_CASE("loops draws the best loop, and looks for some key frames alone", "[examples]") {
+  const ScratchFolder folder;
+  const auto all = loops("--min-gap 5 --svg " + folder.path("loop.svg"));
+  CHECK(program::read_file(folder.path("loop.svg")).find("<svg ") == 0);
+  const auto some = loops("--min-gap 5 --query-interval 1");
+  CHECK(some.at("map_keyframes") == all.at("map_keyframes"));
+  CHECK(some.at("queries") < all.at("queries"));
+  for (const auto& match : some.at("matches")) {
+    const auto& matches = all.at("matches");
+    CHECK(std::find(matches.begin(), matches.end(), match) != matches.end());
+  }
 }

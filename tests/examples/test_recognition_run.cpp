@@ -86,7 +86,11 @@ TEST_CASE("accepted matches are scored on three levels", "[examples]") {
   CHECK(summary.unscored == 1);
   CHECK(*summary.median_translation_error_m == Approx(0.5));
   CHECK(*summary.median_rotation_error_deg == 0.0);
-  CHECK(*summary.median_query_ms == 3.0);
+  REQUIRE(summary.query_ms);  // of 1, 2, 3, 4 and 100 ms
+  CHECK(summary.query_ms->median == 3.0);
+  CHECK(summary.query_ms->mean == 22.0);
+  CHECK(summary.query_ms->percentile_95 == 100.0);
+  CHECK(summary.query_ms->worst == 100.0);
 }
 
 TEST_CASE("the limits of the scoring are the user's", "[examples]") {
@@ -102,7 +106,7 @@ TEST_CASE("the limits of the scoring are the user's", "[examples]") {
 TEST_CASE("between different places every accepted match is wrong, and has no error",
           "[examples]") {
   RecognitionRun run = sample_run();
-  score(run, {{}, true});
+  score(run, {{}, true, {}});
   const RunSummary summary = summarize(run);
   CHECK(summary.wrong == 4);
   CHECK(summary.accepted == 4);
@@ -112,7 +116,31 @@ TEST_CASE("between different places every accepted match is wrong, and has no er
 TEST_CASE("an even number of values has the mean of the middle two as median", "[examples]") {
   RecognitionRun run = sample_run();
   run.look_ups.resize(4);
-  CHECK(*summarize(run).median_query_ms == 2.5);
+  CHECK(summarize(run).query_ms->median == 2.5);
   run.look_ups.clear();
-  CHECK_FALSE(summarize(run).median_query_ms);
+  CHECK_FALSE(summarize(run).query_ms);
+}
+
+TEST_CASE("95 % of the look-ups took no longer than the 95th of 100", "[examples]") {
+  RecognitionRun run;
+  for (int ms = 100; ms >= 1; --ms) run.look_ups.push_back(accepted_at(0.0, ms));
+  CHECK(summarize(run).query_ms->percentile_95 == 95.0);
+  run.look_ups.push_back(accepted_at(0.0, 101));
+  CHECK(summarize(run).query_ms->percentile_95 == 96.0);
+}
+
+TEST_CASE("a match of cameras farther apart than the place is wide is wrong", "[examples]") {
+  RecognitionRun run = sample_run();  // cameras 1 m apart
+  run.queries[3] = keyframe_at(11.0);
+  Scoring scoring;
+  scoring.place_radius = 1.1;
+  score(run, scoring);
+  CHECK(run.look_ups[0].verdict == PoseVerdict::correct);
+  scoring.place_radius = 0.9;
+  score(run, scoring);
+  CHECK(summarize(run).wrong == 4);
+  CHECK(run.look_ups[0].error);  // which is told all the same
+  run.queries[3] = keyframe_at(std::nullopt);
+  CHECK(error_text([&] { score(run, scoring); }).find("has no pose, which --place-radius needs") !=
+        std::string::npos);
 }

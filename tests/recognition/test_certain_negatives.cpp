@@ -173,7 +173,7 @@ TEST_CASE("a loop detector learns while it maps, and decides by what it learnt",
     const Eigen::Isometry3d T_room_camera = random_camera(random);
     const Eigen::Isometry3d T_world_camera = shifted_by(20.0 * room) * T_room_camera;
     const auto graph = rooms[room].seen_from(T_room_camera);
-    const Recognition all = loops.detect(i, graph, without_threshold(loops.options()));
+    const Recognition all = loops.detect(i, graph, 0, without_threshold(loops.options()));
     // Nothing to compare with, then the first room alone, which leaves no room for a false match.
     CHECK(add_negative_by_pose(calibration, all, loops.bag(), T_world_camera) == (i >= 10));
     RecognitionOptions decided = loops.options();

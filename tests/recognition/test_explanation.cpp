@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <locale>
 #include <string>
 
 #include <topobag/recognition/explanation.hpp>
@@ -8,6 +9,21 @@
 using namespace topobag;
 
 namespace {
+
+/// Groups digits for as long as it lives, as a host's locale may.
+class GroupingLocale {
+ public:
+  GroupingLocale() : before_(std::locale::global(std::locale(std::locale(), new Grouping))) {}
+  ~GroupingLocale() { std::locale::global(before_); }
+
+ private:
+  struct Grouping : std::numpunct<char> {
+    std::string do_grouping() const override { return "\3"; }
+    char do_thousands_sep() const override { return '.'; }
+    char do_decimal_point() const override { return ','; }
+  };
+  std::locale before_;
+};
 
 bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -64,4 +80,26 @@ TEST_CASE("an explanation in words", "[recognition]") {
 TEST_CASE("a query with nothing to say is explained, too", "[recognition]") {
   CHECK(says(to_string(Explanation{2, false, {}}), "takes three"));
   CHECK(says(to_string(Explanation{5, true, {}}), "nothing to compare with"));
+}
+
+TEST_CASE("numbers are told apart, and are not grouped by the locale", "[recognition]") {
+  CandidateExplanation candidate;
+  candidate.id = KeyframeId{1234567};
+  candidate.stages = {{"score", false, 0.8996, 0.9004, true, {}},
+                      {"distance", true, 1234567.5, 2.0, true, " m"}};
+  const GroupingLocale grouped;
+  const std::string text = to_string(candidate);
+  CHECK(says(text, "key frame 1234567: "));
+  CHECK(says(text, "score: 0.8996 of at least 0.9004, missed by 0.001"));
+  CHECK(says(text, "distance: 1234567.50 m of at least 2.00 m"));
+}
+
+TEST_CASE("a host names its key frames", "[recognition]") {
+  CandidateExplanation candidate;
+  candidate.id = KeyframeId{97};
+  candidate.rival = RivalPlace{KeyframeId{98}, 1.0, 2.0};
+  const auto name = [](KeyframeId id) { return "Tuesday, " + std::to_string(value(id) - 67); };
+  const std::string text = to_string(Explanation{7, true, {candidate}}, name);
+  CHECK(says(text, "Tuesday, 30: "));
+  CHECK(says(text, "another place fits about as well: Tuesday, 31"));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include <topobag/bag/indexed_bag.hpp>
@@ -40,11 +41,33 @@ TEST_CASE("detect adds nothing, detect_and_add keeps stamp and info", "[recognit
   CHECK(loops.bag().info(KeyframeId{5})->session == 3);
 }
 
+TEST_CASE("another session is an earlier visit, whatever its clock says", "[recognition]") {
+  const std::uint32_t monday = 1, tuesday = 2;
+  for (const double start : {1.4e9, 1.3e9, 0.0}) {  // of Tuesday's clock
+    LoopDetector<> loops;
+    const auto drive = [&](std::uint32_t session, double first_stamp, std::uint64_t first_id) {
+      std::size_t found = 0;
+      EntryInfo info;
+      info.session = session;
+      for (unsigned room = 0; room < 5; ++room) {
+        const auto seen = SyntheticRoom(room, 10, 8).seen_from(Eigen::Isometry3d::Identity());
+        const Recognition loop = loops.detect_and_add(KeyframeId{first_id + room},
+                                                      first_stamp + 30.0 * room, seen, info);
+        if (loop && loop.accepted->id == KeyframeId{room}) ++found;
+      }
+      return found;
+    };
+    CHECK(drive(monday, 1.3e9, 0) == 0);
+    CHECK(drive(tuesday, start, 100) == 5);
+  }
+}
+
 TEST_CASE("an entry without a stamp is no earlier visit", "[recognition]") {
   const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
   LoopDetector<> loops;
   loops.bag().add(KeyframeId{1}, graph);
   CHECK(loops.detect(1000.0, graph).candidates.empty());
+  CHECK(loops.detect(1000.0, graph, 1).candidates.size() == 1);  // but of another session
 }
 
 TEST_CASE("an indexed bag finds the same loops as a plain one over the same graphs",
@@ -103,7 +126,6 @@ TEST_CASE("a key frame that is refused leaves the bag as it was", "[recognition]
 TEST_CASE("a stamp or a gap that is not finite is refused", "[recognition][regression]") {
   const TopologyGraph<> graph = SyntheticRoom(1, 8, 8).seen_from(Eigen::Isometry3d::Identity());
   LoopOptions options;
-  options.recognition.retrieval.among.max_stamp = 1e9;
   LoopDetector<> loops(options);
   loops.detect_and_add(KeyframeId{1}, 99.0, graph);
   CHECK_THROWS_AS(loops.detect(std::nan(""), graph), InvalidValue);
@@ -118,9 +140,9 @@ TEST_CASE("a running detector takes other options, and keeps its key frames", "[
   CHECK(loops.detect(100.0, graph));
   RecognitionOptions strict = loops.options();
   strict.decision.min_score = 1e6;
-  CHECK_FALSE(loops.detect(100.0, graph, strict));  // for this key frame alone
+  CHECK_FALSE(loops.detect(100.0, graph, 0, strict));  // for this key frame alone
   CHECK(loops.detect(100.0, graph));
-  CHECK(loops.detect(5.0, graph, strict).candidates.empty());  // the gap holds
+  CHECK(loops.detect(5.0, graph, 0, strict).candidates.empty());  // the gap holds
   loops.set_options(strict);
   CHECK(loops.options().decision.min_score == 1e6);
   CHECK(loops.bag().size() == 1);

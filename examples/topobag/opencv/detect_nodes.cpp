@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -13,7 +14,6 @@
 #include <topobag/sensing/describe_detections.hpp>
 #include <topobag/sensing/range_detections.hpp>
 
-#include "camera_option.hpp"
 #include "input_error.hpp"
 #include "progress.hpp"
 
@@ -38,19 +38,12 @@ cv::Mat read_depth(const std::string& path, const cv::Size& size) {
   return depth;
 }
 
-/// Gives the camera the image's size, or sees that it is that one.
-void require_size(const cv::Mat& image, const std::string& path, topobag::PinholeCamera<>& camera) {
-  if (camera.width == 0 && camera.height == 0) {
-    camera.width = image.cols;
-    camera.height = image.rows;
-  }
-  require_principal_point(camera);
-  if (image.cols != camera.width || image.rows != camera.height) {
-    throw InputError(path, "the image is " + std::to_string(image.cols) + " x " +
-                               std::to_string(image.rows) + " px, the camera's " +
-                               std::to_string(camera.width) + " x " +
-                               std::to_string(camera.height));
-  }
+void require_size(const cv::Mat& image, const std::string& path,
+                  const topobag::PinholeCamera<>& camera) {
+  if (image.cols == camera.width && image.rows == camera.height) return;
+  throw InputError(path, "the image is " + std::to_string(image.cols) + " x " +
+                             std::to_string(image.rows) + " px, the camera's " +
+                             std::to_string(camera.width) + " x " + std::to_string(camera.height));
 }
 
 /// A box of which the image shows less than a pixel is nothing that a table could keep. Returns how
@@ -67,25 +60,28 @@ std::size_t drop_outside(std::vector<topobag::RangedDetection>& detections) {
 
 }  // namespace
 
+ImageSize size_of_image(const std::string& path) {
+  const cv::Mat image = read_image(path, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  return {image.cols, image.rows};
+}
+
 DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const DetectionSource& source,
-                           double depth_scale, topobag::PinholeCamera<>& camera) {
+                           double depth_scale, const topobag::PinholeCamera<>& camera,
+                           NodesCheckpoint& checkpoint) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // errors are ours to tell
   std::optional<topobag::YoloDetector> network;
   if (!source.boxes) network.emplace(source.model, source.classes, source.yolo);
+  DetectedNodes detected = checkpoint.earlier(frames);
   Progress progress(frames.size(), "images");
-  DetectedNodes detected;
   if (source.colors) detected.table.appearance = topobag::ColorDescriptor::name;
-  for (const RgbdFrame& frame : frames) {
+  progress.step(detected.table.frames.size());
+  for (std::size_t i = detected.table.frames.size(); i < frames.size(); ++i) {
+    const RgbdFrame& frame = frames[i];
     const cv::Mat rgb = read_image(frame.rgb, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     require_size(rgb, frame.rgb, camera);
     const cv::Mat depth = read_depth(frame.depth, rgb.size());
-    FrameRow row;
-    const std::size_t i = detected.table.frames.size();
-    row.idx = static_cast<std::int64_t>(i);
-    row.name = std::filesystem::path(frame.rgb).filename().string();
-    row.timestamp = frame.timestamp;
-    row.T_world_camera = frame.T_world_camera;
     const topobag::DepthImage depths(depth, depth_scale);
+    FrameRow row = row_of(frame, i);
     row.detections = topobag::range_detections(
         network ? (*network)(rgb) : source.boxes->of_image[i], depths, camera);
     detected.outside += drop_outside(row.detections);
@@ -93,6 +89,7 @@ DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const Detection
       topobag::describe_detections(row.detections, topobag::color_image(rgb), depths);
     }
     detected.table.frames.push_back(std::move(row));
+    checkpoint.keep(detected);
     progress.step();
   }
   return detected;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include <topobag/evaluation/precision_recall.hpp>
 
@@ -50,23 +51,24 @@ double average_precision(const ComparedMethod& method) {
 }  // namespace
 
 Report comparison_report(const Comparison& comparison, const KnownPlaces& places,
-                         const topobag::ScoreMatrix& scores, bool one_sequence) {
-  const std::vector<ComparedMethod>& methods = comparison.methods;
-  const auto best_other = std::max_element(
-      methods.begin() + 2, methods.end(),
-      [](const auto& a, const auto& b) { return average_precision(a) < average_precision(b); });
+                         DecidedScores decided) {
+  // The first two, the library and the paper, then the others, best first: those on top are told.
+  std::vector<const ComparedMethod*> methods;
+  for (const ComparedMethod& method : comparison.methods) methods.push_back(&method);
+  std::stable_sort(methods.begin() + 2, methods.end(), [](const auto* a, const auto* b) {
+    return average_precision(*a) > average_precision(*b);
+  });
   RetrievalRun run;
-  run.scores = scores;
-  run.one_trajectory = one_sequence;
-  for (const ComparedMethod* method : {&methods[0], &methods[1], &*best_other}) {
-    run.methods.push_back({method->name, method->labelled, 1.0});
+  run.scores = std::move(decided.scores);
+  run.outcomes = std::move(decided.outcomes);
+  run.limits = decided.limits;
+  run.one_trajectory = decided.one_sequence;
+  for (const ComparedMethod* method : methods) {
+    run.methods.push_back({method->name, method->labelled});
   }
   Report report = retrieval_report(places, run);
   report.title = "Methods held against each other: " + name_of(comparison.query_set) + " in " +
                  name_of(comparison.map_set);
-  report.notes.push_back(
-      "The table's AP, AUC-PR, R@100P and F1max look at each query's best answer, the curves at all "
-      "pairs.");
   report.figures.insert(report.figures.begin(), table_figure(comparison));
   return report;
 }

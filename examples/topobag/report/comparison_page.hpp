@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include <topobag/evaluation/labelled_scores.hpp>
 
 #include "comparison.hpp"
@@ -9,10 +11,16 @@
 
 namespace program {
 
-/// The table of a comparison, and the figures of its first method's scores beside the curves of its
-/// second and of the best of the others.
-/// @param scores  the first method's
+/// What a comparison's first method, the library at its defaults, decided.
+struct DecidedScores {
+  topobag::ScoreMatrix scores;         ///< by which it ranks places
+  std::vector<QueryOutcome> outcomes;  ///< by the verdicts on its poses
+  topobag::PoseLimits limits;          ///< of those
+  bool one_sequence = false;
+};
+
+/// The table of a comparison, the curves of all methods, and the figures of what was decided.
 Report comparison_report(const Comparison& comparison, const KnownPlaces& places,
-                         const topobag::ScoreMatrix& scores, bool one_sequence);
+                         DecidedScores decided);
 
 }  // namespace program

@@ -46,7 +46,7 @@ Json report_json(const Report& report) {
   for (const auto& [name, value] : report.facts) json["facts"][name] = value;
   json["notes"] = report.notes;
   for (const Figure& figure : report.figures) json["figures"][figure.id] = to_json(figure.table);
-  return json;
+  return versioned(json);
 }
 
 std::string html_page(const Report& report) {

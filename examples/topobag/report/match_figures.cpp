@@ -19,8 +19,8 @@ Figure match_figure(const RecognitionRun& run, std::size_t i, std::string id, st
   Figure figure{std::move(id), std::move(title), "", ""};
   figure.wide = true;
   figure.drawing = "<div class=\"drawing\">" + match_svg(run, i) + "</div>\n";
-  figure.caption = "Query frame " + std::to_string(run.queries[i].idx) + " in map frame " +
-                   std::to_string(run.map[topobag::value(match.id)].idx) + ": " +
+  figure.caption = "Query " + name_of(run.queries[i]) + " in map " +
+                   name_of(run.map[topobag::value(match.id)]) + ": " +
                    std::to_string(match.pose->inliers.size()) + " objects agree, score " +
                    fixed_text(match.score(), 2) + " of " + fixed_text(match.threshold, 2) +
                    " asked for, similarity " + fixed_text(match.similarity, 2) + ". ";

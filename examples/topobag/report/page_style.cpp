@@ -53,6 +53,8 @@ svg { display: block; width: 100%; height: auto }
 .line { fill: none; stroke: var(--ink); stroke-width: 2; stroke-linejoin: round }
 .line.second { stroke-dasharray: 7 4 }
 .line.third { stroke-dasharray: 2 3 }
+.line.other { stroke-width: 1; opacity: 0.5 }
+.line.other:hover { stroke-width: 3; opacity: 1 }
 .line.path { stroke-width: 1.5 }
 .line.loop { stroke-width: 1.2; stroke-opacity: 0.75 }
 .bar { fill: var(--ink); stroke: var(--card); stroke-width: 0.7 }
@@ -63,6 +65,7 @@ svg { display: block; width: 100%; height: auto }
 .first, .true, .correct { --ink: var(--blue) }
 .second, .imprecise { --ink: var(--amber) }
 .third { --ink: var(--green) }
+.other { --ink: var(--gray) }
 .false { --ink: var(--red) }
 .wrong { --ink: var(--red) }
 .missed { --ink: var(--pink) }

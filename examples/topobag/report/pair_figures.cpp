@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "html_text.hpp"
+#include "run_outcomes.hpp"
 #include "score_figures.hpp"
 #include "score_image.hpp"
 
@@ -14,12 +15,10 @@ namespace {
 
 const std::size_t most_pairs_in_page = 20000;
 
-std::string pair_hint(const topobag::CandidateReport& candidate, std::size_t query,
-                      const KnownPlaces* places) {
-  std::string text = to_string(candidate.verdict);
+std::string pair_hint(const TriedCandidate& tried, std::size_t query, const KnownPlaces* places) {
+  std::string text = to_string(tried.verdict);
   if (places == nullptr) return text;
-  const Eigen::Isometry3d pose =
-      places->truth.T_candidate_query(query, topobag::value(candidate.id));
+  const Eigen::Isometry3d pose = places->truth.T_candidate_query(query, tried.candidate);
   return text + "; cameras " + fixed_text(pose.translation().norm(), 2) + " m and " +
          fixed_text(topobag::rotation_angle_deg(pose.linear()), 0) + "° apart";
 }
@@ -32,12 +31,12 @@ DataTable pair_table(const RecognitionRun& run, const KnownPlaces* places) {
                   {}};
   const std::array<const char*, 4> relations{"true", "false", "ignored", "excluded"};
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    for (const topobag::CandidateReport& candidate : run.look_ups[i].recognition.candidates) {
-      const std::size_t id = topobag::value(candidate.id);
-      Json row = Json::array({i, id, run.queries[i].idx, run.map[id].idx, candidate.similarity});
-      row.push_back(candidate.pose ? Json(candidate.score()) : Json());
-      row.push_back(candidate.pose ? candidate.pose->inliers.size() : 0);
-      row.push_back(to_string(candidate.verdict));
+    for (const TriedCandidate& tried : run.look_ups[i].tried) {
+      const std::size_t id = tried.candidate;
+      Json row = Json::array({i, id, run.queries[i].idx, run.map[id].idx, tried.similarity});
+      row.push_back(or_null(tried.score));
+      row.push_back(tried.objects);
+      row.push_back(to_string(tried.verdict));
       if (places != nullptr) {
         const Eigen::Isometry3d pose = places->truth.T_candidate_query(i, id);
         row.push_back(relations[static_cast<std::size_t>(places->truth.relation(i, id))]);
@@ -52,26 +51,30 @@ DataTable pair_table(const RecognitionRun& run, const KnownPlaces* places) {
   return table;
 }
 
-std::vector<Figure> pair_score_figures(const RecognitionRun& run, const KnownPlaces& places) {
+std::vector<Figure> answer_figures(const RecognitionRun& run, const KnownPlaces& places,
+                                   const Scoring& scoring) {
   std::vector<topobag::ScoredPair> similarities;
-  std::vector<topobag::ScoredPair> scores;
+  std::vector<topobag::ScoredPair> place_scores;
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    for (const topobag::CandidateReport& candidate : run.look_ups[i].recognition.candidates) {
+    for (const TriedCandidate& tried : run.look_ups[i].tried) {
       topobag::ScoredPair pair{static_cast<std::uint32_t>(i),
-                               static_cast<std::uint32_t>(topobag::value(candidate.id)),
-                               candidate.similarity};
+                               static_cast<std::uint32_t>(tried.candidate), tried.similarity};
       similarities.push_back(pair);
-      if (!candidate.pose) continue;
-      pair.score = candidate.score();
-      scores.push_back(pair);
+      pair.score = tried.place_score;
+      place_scores.push_back(pair);
     }
   }
-  const std::vector<NamedScores> methods{
-      {"match score", topobag::label_scores(std::move(scores), places.truth)},
+  const NamedScores answers{"match score", answer_scores(run, places, scoring), 1.0, "answers"};
+  const std::vector<NamedScores> rankings{
+      {"place score", topobag::label_scores(std::move(place_scores), places.truth)},
       {"similarity", topobag::label_scores(std::move(similarities), places.truth)}};
-  return {precision_recall_figure(methods), recall_at_k_figure(methods),
-          score_histogram_figure("match-scores", methods[0]),
-          score_histogram_figure("similarities", methods[1])};
+  return {precision_recall_figure(
+              {answers},
+              "Each query's best match, ranked by the score that decides; true when its pose is "
+              "not wrong. Of all that have a true place or a true answer; a match that was refused "
+              "because another fits as well is no answer, whatever its score."),
+          score_histogram_figure("match-scores", answers), recall_at_k_figure(rankings),
+          score_histogram_figure("similarities", rankings[1])};
 }
 
 std::vector<Figure> matrix_figures(const RecognitionRun& run, const KnownPlaces* places,
@@ -83,13 +86,13 @@ std::vector<Figure> matrix_figures(const RecognitionRun& run, const KnownPlaces*
   ScoreImage scores(rows, columns);
   std::size_t pairs_tried = 0;
   for (std::size_t i = 0; i < rows; ++i) {
-    for (const topobag::CandidateReport& candidate : run.look_ups[i].recognition.candidates) {
-      const std::size_t id = topobag::value(candidate.id);
+    for (const TriedCandidate& tried : run.look_ups[i].tried) {
+      const std::size_t id = tried.candidate;
       ++pairs_tried;
-      similarities.add(i, id, candidate.similarity);
-      if (candidate.pose) scores.add(i, id, candidate.score());
+      similarities.add(i, id, tried.similarity);
+      if (tried.score) scores.add(i, id, *tried.score);
       if (!with_hints) continue;
-      const std::string hint = pair_hint(candidate, i, places);
+      const std::string hint = pair_hint(tried, i, places);
       similarities.hint(i, id, hint);
       scores.hint(i, id, hint);
     }
@@ -124,8 +127,7 @@ Figure verdict_figure(const RecognitionRun& run) {
       ++without;
       continue;
     }
-    const auto& best = look_up.recognition.accepted ? *look_up.recognition.accepted
-                                                    : look_up.recognition.candidates.front();
+    const auto& best = look_up.best();
     const bool accepted = best.verdict == topobag::Verdict::accepted;
     ++counts[accepted ? accepted_bar : static_cast<std::size_t>(best.verdict)];
   }

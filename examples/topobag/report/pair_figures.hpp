@@ -14,8 +14,10 @@ namespace program {
 /// A row for every candidate that was tried.
 DataTable pair_table(const RecognitionRun& run, const KnownPlaces* places);
 
-/// Precision and recall, Recall@K and histograms of the match scores and the similarities.
-std::vector<Figure> pair_score_figures(const RecognitionRun& run, const KnownPlaces& places);
+/// Precision and recall of the queries' answers and how their scores are spread; how far down the
+/// true places stand among all candidates, and how their similarities are spread.
+std::vector<Figure> answer_figures(const RecognitionRun& run, const KnownPlaces& places,
+                                   const Scoring& scoring);
 
 /// The matrices of similarities and of match scores. The first has the numbers of the pairs, unless
 /// they are too many for a page.

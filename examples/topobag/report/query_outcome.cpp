@@ -44,7 +44,7 @@ KnownPlaces known_places(topobag::Trajectory queries, topobag::Trajectory map,
   }
   const topobag::PlaceTruth truth = loop_gap ? topobag::PlaceTruth(protocol, queries)
                                              : topobag::PlaceTruth(protocol, queries, map);
-  return {std::move(queries), std::move(map), truth};
+  return {std::move(queries), std::move(map), truth, protocol.frustum};
 }
 
 std::optional<TruePlace> nearest_true_place(const KnownPlaces& places, std::size_t query) {
@@ -64,8 +64,8 @@ std::optional<TruePlace> nearest_true_place(const KnownPlaces& places, std::size
   const Eigen::Isometry3d T_candidate_query = truth.T_candidate_query(query, nearest->candidate);
   nearest->angle_deg = topobag::rotation_angle_deg(T_candidate_query.linear());
   nearest->gap_s = std::abs(q.stamp_s - places.map[nearest->candidate].stamp_s);
-  if (const auto& frustum = truth.protocol().frustum) {
-    nearest->overlap = topobag::frustum_overlap(*frustum, T_candidate_query);
+  if (places.frustum) {
+    nearest->overlap = topobag::frustum_overlap(*places.frustum, T_candidate_query);
   }
   return nearest;
 }

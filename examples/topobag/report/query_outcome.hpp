@@ -42,7 +42,7 @@ struct TruePlace {
   double distance_m = 0.0;
   double angle_deg = 0.0;
   double gap_s = 0.0;               ///< between the two times
-  std::optional<double> overlap{};  ///< of the two views, [0, 1]; needs the protocol's frustum
+  std::optional<double> overlap{};  ///< of the two views, [0, 1]; needs a frustum
 };
 
 struct QueryOutcome {
@@ -53,11 +53,16 @@ struct QueryOutcome {
   std::optional<std::size_t> objects{};  ///< in the query's graph
 };
 
+/// What a true place is where no protocol is given.
+inline constexpr const char* default_protocol =
+    "distance=0.5,angle=30,negative-distance=1,negative-angle=45";
+
 /// The true poses of a run, a pose per key frame, and what a true loop is.
 struct KnownPlaces {
   topobag::Trajectory queries;
   topobag::Trajectory map;
   topobag::PlaceTruth truth;
+  std::optional<topobag::DepthFrustum> frustum{};  ///< what a camera sees; the overlap needs it
 };
 
 /// What a true loop is by `protocol` among the true poses of a run.

@@ -12,18 +12,16 @@
 #include "match_figures.hpp"
 #include "outcome_figures.hpp"
 #include "pair_figures.hpp"
-#include "query_outcome.hpp"
+#include "recognition_report.hpp"
+#include "run_outcomes.hpp"
 #include "trajectory_figure.hpp"
 
 namespace program {
 namespace {
 
-/// Two views that share half of what they see, up to the depth of a room, are of one place.
-topobag::PlaceProtocol default_protocol(const topobag::PinholeCamera<>& camera) {
-  topobag::PlaceProtocol protocol;
-  protocol.covisibility = 0.5;
-  protocol.frustum = topobag::DepthFrustum{camera, 0.4, 4.0};
-  return protocol;
+/// What the camera sees up to the depth of a room.
+topobag::DepthFrustum room_frustum(const topobag::PinholeCamera<>& camera) {
+  return {camera, 0.4, 4.0};
 }
 
 /// Makes the report of one run.
@@ -35,18 +33,17 @@ class RecognitionPage {
     auto queries = true_trajectory(run.queries);
     auto map = true_trajectory(run.map);
     if (!queries || !map || arguments.scoring.different_places) return;
-    const topobag::PlaceProtocol declared =
-        protocol.empty()
-            ? default_protocol(with_size(arguments.keyframes.camera, arguments.image_size))
-            : topobag::parse_protocol(protocol);
-    places_ = known_places(*std::move(queries), *std::move(map), declared, loop_gap);
+    places_ = known_places(*std::move(queries), *std::move(map), topobag::parse_protocol(protocol),
+                           loop_gap);
+    if (!places_->frustum) {
+      places_->frustum = room_frustum(with_size(arguments.keyframes.camera, arguments.image_size));
+    }
   }
 
   Report report() const;
   DataTable pairs() const { return pair_table(run_, places()); }
 
  private:
-  std::vector<QueryOutcome> outcomes() const;
   void add_facts(Report& report, const std::vector<QueryOutcome>& outcomes) const;
   const KnownPlaces* places() const { return places_ ? &*places_ : nullptr; }
 
@@ -56,31 +53,17 @@ class RecognitionPage {
   std::optional<KnownPlaces> places_;
 };
 
-std::vector<QueryOutcome> RecognitionPage::outcomes() const {
-  std::vector<QueryOutcome> outcomes;
-  for (std::size_t i = 0; i < run_.look_ups.size(); ++i) {
-    const LookUp& look_up = run_.look_ups[i];
-    QueryOutcome query;
-    query.objects = run_.queries[i].graph.size();
-    if (places_) query.place = nearest_true_place(*places_, i);
-    if (const auto& match = look_up.recognition.accepted) {
-      query.answer = topobag::value(match->id);
-      query.score = match->score();
-      query.outcome = look_up.verdict ? outcome_of(*look_up.verdict) : Outcome::unscored;
-    } else {
-      query.outcome = query.place ? Outcome::missed : Outcome::nothing;
-    }
-    outcomes.push_back(query);
-  }
-  return outcomes;
-}
-
 void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>& outcomes) const {
   const RunSummary summary = summarize(run_);
   const KeyframeOptions& keyframes = arguments_.keyframes;
   const topobag::PoseLimits& limits = arguments_.scoring.limits;
   const auto count = [](std::size_t number) { return std::to_string(number); };
   auto& facts = report.facts;
+  facts.emplace_back("Accepted", count(summary.accepted) + " of " + count(summary.queries) +
+                                     " queries with a usable graph and a candidate");
+  facts.emplace_back("Verdicts", count(summary.correct) + " correct, " + count(summary.imprecise) +
+                                     " imprecise, " + count(summary.wrong) + " wrong, " +
+                                     count(summary.unscored) + " not scored");
   facts.emplace_back(loop_gap_ ? "Sequence" : "Map",
                      run_.map_set + ", " + count(run_.map.size()) + " key frames");
   if (!loop_gap_) {
@@ -93,16 +76,12 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
           (keyframes.window > 0.0 ? ", graphs fused over " + short_text(keyframes.window) + " s"
                                   : ", graphs of single frames") +
           ", detections from score " + short_text(keyframes.min_confidence));
-  facts.emplace_back("Accepted", count(summary.accepted) + " of " + count(summary.queries) +
-                                     " queries with a usable graph and a candidate");
-  facts.emplace_back("Verdicts", count(summary.correct) + " correct, " + count(summary.imprecise) +
-                                     " imprecise, " + count(summary.wrong) + " wrong, " +
-                                     count(summary.unscored) + " not scored");
   if (summary.median_translation_error_m) {
     facts.emplace_back("Median error of the accepted",
                        fixed_text(*summary.median_translation_error_m, 3) + " m, " +
                            fixed_text(*summary.median_rotation_error_deg, 1) + "°");
   }
+  if (summary.query_ms) facts.emplace_back("Time of a look-up", times_text(*summary.query_ms));
   facts.emplace_back("Correct is", "up to " + short_text(limits.correct_translation_m) + " m and " +
                                        short_text(limits.correct_rotation_deg) +
                                        "°; wrong beyond " + short_text(limits.wrong_translation_m) +
@@ -115,8 +94,9 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
     facts.emplace_back("Protocol: what a true place is",
                        topobag::to_string(places_->truth.protocol()));
     report.notes.push_back(
-        "The protocol says which pairs show one place. The verdicts look at the estimated pose "
-        "alone, so that a match of two views that hardly overlap can be correct.");
+        "The protocol says which key frames were taken from about one place: which queries could "
+        "have been found. The verdicts look at the estimated pose alone, so that a match of two "
+        "views from different sides can be correct.");
   } else if (arguments_.scoring.different_places) {
     report.notes.push_back(
         "The sequences share no place: every accepted match is wrong, and the figures that need "
@@ -128,7 +108,7 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
 }
 
 Report RecognitionPage::report() const {
-  const std::vector<QueryOutcome> outcomes = this->outcomes();
+  const std::vector<QueryOutcome> outcomes = outcomes_of(run_, places());
   const std::string queries = name_of(run_.query_set);
   Report report{loop_gap_ ? "Loops in " + queries : queries + " in " + name_of(run_.map_set)};
   add_facts(report, outcomes);
@@ -138,7 +118,7 @@ Report RecognitionPage::report() const {
   };
   if (places_) {
     figures.push_back(trajectory_figure(*places_, outcomes, loop_gap_.has_value()));
-    append(pair_score_figures(run_, *places_));
+    append(answer_figures(run_, *places_, arguments_.scoring));
   }
   append(matrix_figures(run_, places(), outcomes));
   figures.push_back(verdict_figure(run_));
@@ -156,16 +136,22 @@ Report RecognitionPage::report() const {
 
 void add_recognition_report_options(CLI::App& command, RecognitionReportArguments& arguments) {
   add_report_options(command, arguments.files);
-  command.add_option("--protocol", arguments.protocol,
-                     "What a true place is in the report, as in evaluate [views that overlap by "
-                     "0.5 from 0.4 to 4 m]");
+  command
+      .add_option("--protocol", arguments.protocol,
+                  "What a true place is in the report, as in evaluate")
+      ->capture_default_str();
   command.add_option("--pairs", arguments.pairs, "CSV to write: every candidate that was tried");
+}
+
+KeptCandidates kept_for(const RecognitionReportArguments& arguments) {
+  return wanted(arguments.files) || !arguments.pairs.empty() ? KeptCandidates::tried
+                                                             : KeptCandidates::best;
 }
 
 void write_recognition_report(const RecognitionRun& run, const RecognitionArguments& recognition,
                               const RecognitionReportArguments& arguments,
                               std::optional<double> loop_gap) {
-  if (!wanted(arguments.files) && arguments.pairs.empty()) return;
+  if (kept_for(arguments) == KeptCandidates::best) return;
   const RecognitionPage page(run, recognition, arguments.protocol, loop_gap);
   if (!arguments.pairs.empty()) write_file(arguments.pairs, to_csv(page.pairs()));
   if (wanted(arguments.files)) write_report(page.report(), arguments.files);

@@ -39,23 +39,6 @@ class Relations {
   std::vector<PairRelation> relations_;
 };
 
-/// Calls `visit(query, candidate, score)` for every score, by query, then by candidate.
-template <typename Visit>
-void for_each_score(const PairScores& scores, Visit&& visit) {
-  if (const auto* const matrix = std::get_if<topobag::ScoreMatrix>(&scores)) {
-    for (Eigen::Index i = 0; i < matrix->rows(); ++i) {
-      for (Eigen::Index k = 0; k < matrix->cols(); ++k) {
-        if (!std::isfinite((*matrix)(i, k))) continue;
-        visit(static_cast<std::size_t>(i), static_cast<std::size_t>(k), (*matrix)(i, k));
-      }
-    }
-    return;
-  }
-  for (const topobag::ScoredPair& pair : std::get<topobag::ScoreList>(scores).pairs) {
-    visit(pair.query, pair.candidate, pair.score);
-  }
-}
-
 /// Where F1 of the queries' best answers is best; nothing is accepted without a true answer.
 double best_f1_threshold(const topobag::LabelledScores& labelled) {
   const auto metrics = topobag::retrieval_metrics(topobag::single_best(labelled));
@@ -135,16 +118,28 @@ void add_facts(Report& report, const KnownPlaces& places, const RetrievalRun& ru
                                                  std::to_string(places.map.size()));
   facts.emplace_back("Evaluated pairs", std::to_string(totals.positives) + " true, " +
                                             std::to_string(totals.negatives) + " false");
+  if (!run.outcomes.empty()) {
+    facts.emplace_back("Accepted answers", "those of the library's decision");
+    facts.emplace_back("Correct is", "up to " + short_text(run.limits.correct_translation_m) +
+                                         " m and " + short_text(run.limits.correct_rotation_deg) +
+                                         "° of the true pose");
+    return;
+  }
   facts.emplace_back("Accepted answers",
                      std::isfinite(accept)
                          ? "each query's best from score " + short_text(method.sign * accept) +
                                (run.accept ? " on, as asked for" : " on, where their F1 is best")
                          : "none: no query's best answer is true, so no threshold is best");
   facts.emplace_back("Correct is", "a true pair by the protocol");
-  report.notes.push_back(
-      "Scores say nothing of the graphs behind them: no breakdown by the number "
-      "of objects and no drawn matches.");
-  if (!places.truth.protocol().frustum) {
+}
+
+void add_notes(Report& report, const KnownPlaces& places, const RetrievalRun& run) {
+  if (run.outcomes.empty()) {
+    report.notes.push_back(
+        "Scores say nothing of the graphs behind them: no breakdown by the number "
+        "of objects and no drawn matches.");
+  }
+  if (!places.frustum) {
     report.notes.push_back(
         "The protocol gives no frustum, so the overlap of views is not known: no breakdown by it.");
   }
@@ -156,21 +151,29 @@ Report retrieval_report(const KnownPlaces& places, const RetrievalRun& run) {
   const Relations relations(places.truth);
   const NamedScores& method = run.methods.front();
   const double accept = run.accept.value_or(best_f1_threshold(method.labelled));
-  const std::vector<QueryOutcome> outcomes = outcomes_of(places, run, relations, accept);
+  const std::vector<QueryOutcome> outcomes =
+      run.outcomes.empty() ? outcomes_of(places, run, relations, accept) : run.outcomes;
 
   Report report{"Place recognition by " + std::filesystem::path(method.name).filename().string()};
   add_facts(report, places, run, accept);
+  add_notes(report, places, run);
   std::vector<Figure>& figures = report.figures;
   const auto append = [&](std::vector<Figure> more) {
     std::move(more.begin(), more.end(), std::back_inserter(figures));
   };
-  std::vector<NamedScores> curves = run.methods;
+  std::vector<NamedScores> curves;
+  for (const NamedScores& each : run.methods) {
+    curves.push_back({each.name, topobag::single_best(each.labelled), each.sign});
+  }
   if (curves.size() == 1) {
-    curves.push_back(
-        {"best answer of each query", topobag::single_best(method.labelled), method.sign});
+    curves.front().name = "best answer of each query";
+    curves.push_back({"all pairs", method.labelled, method.sign});
   }
   figures.push_back(trajectory_figure(places, outcomes, run.one_trajectory));
-  figures.push_back(precision_recall_figure(curves));
+  figures.push_back(precision_recall_figure(
+      curves,
+      "Each query's best answer, ranked by its score; true is a true pair by the protocol. A match "
+      "that is right but no true pair, such as one from another side, counts as false."));
   figures.push_back(recall_at_k_figure(run.methods));
   figures.push_back(score_histogram_figure("scores", {"score", method.labelled, method.sign}));
   figures.push_back(matrix_of(run, relations, outcomes, places.map.size()));

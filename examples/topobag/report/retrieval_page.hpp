@@ -3,28 +3,25 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include <topobag/evaluation/score_csv.hpp>
-
 #include "html_page.hpp"
+#include "pair_scores.hpp"
 #include "query_outcome.hpp"
 #include "score_figures.hpp"
 
 namespace program {
 
-/// A matrix of all scores, or a list of some; higher = more alike.
-using PairScores = std::variant<topobag::ScoreMatrix, topobag::ScoreList>;
-
-/// What `evaluate` reports on.
+/// What `evaluate` and `compare` report on.
 struct RetrievalRun {
-  std::vector<NamedScores> methods;  ///< the method, and another one that it is held against
+  std::vector<NamedScores> methods;  ///< the method, and others that it is held against
   PairScores scores;                 ///< of the method
   bool one_trajectory = true;
   std::optional<double> accept{};  ///< score from which on a query's best answer is accepted; none:
                                    ///< where F1 is best
   topobag::PoseLimits limits{};    ///< of the poses in a list
+  std::vector<QueryOutcome> outcomes{};  ///< of the queries, where a decision made them; else by
+                                         ///< `accept`
 };
 
 /// The figures of a method's scores.

@@ -16,6 +16,23 @@ namespace {
 
 const std::array<const char*, 3> series{"first", "second", "third"};
 
+const char* series_of(std::size_t method) {
+  return method < series.size() ? series[method] : "other";
+}
+
+/// Whether a figure's text speaks of the method, or leaves it to its hint and its numbers.
+bool is_told(std::size_t method) { return method < series.size(); }
+
+void explain_lines(SvgPlot& plot, const std::vector<NamedScores>& methods) {
+  for (std::size_t i = 0; i < methods.size() && is_told(i); ++i) {
+    plot.explain_line(series_of(i), methods[i].name);
+  }
+  if (methods.size() > series.size()) {
+    plot.explain_line(series_of(series.size()),
+                      std::to_string(methods.size() - series.size()) + " others: point at them");
+  }
+}
+
 std::string percent(double share) { return fixed_text(100.0 * share, 1) + " %"; }
 
 /// The points of a curve that a drawing can show apart; the first and the last among them.
@@ -33,7 +50,8 @@ std::vector<topobag::OperatingPoint> thinned(const std::vector<topobag::Operatin
 
 }  // namespace
 
-Figure precision_recall_figure(const std::vector<NamedScores>& methods) {
+Figure precision_recall_figure(const std::vector<NamedScores>& methods,
+                               const std::string& reading) {
   Figure figure{"precision-recall", "Precision and recall", "", ""};
   figure.table.columns = {"scores", "threshold", "recall", "precision"};
   SvgPlot plot(round_axis("recall", 0.0, 1.0), round_axis("precision", 0.0, 1.0));
@@ -46,8 +64,8 @@ Figure precision_recall_figure(const std::vector<NamedScores>& methods) {
       figure.table.rows.push_back(Json::array(
           {method.name, method.sign * point.threshold, point.recall(), point.precision()}));
     }
-    plot.line(line, series[i], method.name);
-    plot.explain_line(series[i], method.name);
+    plot.line(line, series_of(i), method.name);
+    if (!is_told(i)) continue;
     const auto metrics = topobag::retrieval_metrics(method.labelled);
     figure.caption += method.name + ": ";
     if (metrics) {
@@ -58,9 +76,8 @@ Figure precision_recall_figure(const std::vector<NamedScores>& methods) {
       figure.caption += "no true pair, so no curve. ";
     }
   }
-  figure.caption +=
-      "Every pair is ranked by its score; one without a score counts below all. A match that is "
-      "right but no true pair by the protocol, such as one from another side, counts as false.";
+  figure.caption += reading;
+  explain_lines(plot, methods);
   figure.drawing = plot.svg("Precision over recall. " + figure.caption);
   return figure;
 }
@@ -90,14 +107,15 @@ Figure recall_at_k_figure(const std::vector<NamedScores>& methods) {
                         static_cast<double>(hits) / static_cast<double>(all));
       figure.table.rows.push_back(Json::array({method.name, k, line.back().y()}));
     }
-    plot.line(line, series[i], method.name);
-    plot.explain_line(series[i], method.name);
+    plot.line(line, series_of(i), method.name);
+    if (!is_told(i)) continue;
     figure.caption += method.name + ": ";
     figure.caption += all > 0 ? "Recall@1 " + percent(line.front().y()) + ", Recall@10 " +
                                     percent(line[9].y()) + " of " + std::to_string(all) +
                                     " queries with a true place. "
                               : "no query has a true place. ";
   }
+  explain_lines(plot, methods);
   figure.drawing = plot.svg("Recall over K. " + figure.caption);
   return figure;
 }
@@ -105,8 +123,9 @@ Figure recall_at_k_figure(const std::vector<NamedScores>& methods) {
 Figure score_histogram_figure(const std::string& id, const NamedScores& scores) {
   constexpr std::size_t bins = 40;
   const std::vector<topobag::LabelledScore>& all = scores.labelled.scores;
-  Figure figure{id, "True and false pairs by " + scores.name, "", ""};
-  figure.table.columns = {"from", "to", "true_pairs", "false_pairs"};
+  const std::string& scored = scores.scored;
+  Figure figure{id, "True and false " + scored + " by " + scores.name, "", ""};
+  figure.table.columns = {"from", "to", "true_" + scored, "false_" + scored};
   double low = all.empty() ? 0.0 : scores.sign * all.back().score;
   double high = all.empty() ? 1.0 : scores.sign * all.front().score;
   if (low > high) std::swap(low, high);
@@ -132,10 +151,10 @@ Figure score_histogram_figure(const std::string& id, const NamedScores& scores) 
     for (std::size_t bin = 0; bin < bins; ++bin) shares[kind][bin] = share_of(kind, bin);
   }
   SvgPlot plot(round_axis(scores.name, low, high),
-               axis_from_zero("share of the pairs of its kind", highest));
+               axis_from_zero("share of the " + scored + " of its kind", highest));
   const double width = (high - low) / bins;
   const std::array<const char*, 2> styles{"over false", "over true"};
-  const std::array<const char*, 2> names{"false pairs", "true pairs"};
+  const std::array<std::string, 2> names{"false " + scored, "true " + scored};
   for (std::size_t kind = 0; kind < 2; ++kind) {
     for (std::size_t bin = 0; bin < bins; ++bin) {
       if (counts[kind][bin] == 0) continue;
@@ -152,11 +171,12 @@ Figure score_histogram_figure(const std::string& id, const NamedScores& scores) 
     const double from = low + static_cast<double>(bin) * width;
     figure.table.rows.push_back(Json::array({from, from + width, counts[1][bin], counts[0][bin]}));
   }
-  const topobag::PairTotals pairs = topobag::sum_of_totals(scores.labelled);
-  const std::size_t unscored = pairs.positives + pairs.negatives - all.size();
   figure.caption = "Each kind adds up to 1. " + std::to_string(totals[1]) + " true and " +
-                   std::to_string(totals[0]) + " false pairs have a score, " +
-                   std::to_string(unscored) + " have none.";
+                   std::to_string(totals[0]) + " false " + scored + " have a score";
+  const topobag::PairTotals pairs = topobag::sum_of_totals(scores.labelled);
+  const std::size_t unscored =
+      pairs.positives - totals[1] + (pairs.negatives > totals[0] ? pairs.negatives - totals[0] : 0);
+  figure.caption += unscored > 0 ? ", " + std::to_string(unscored) + " have none." : ".";
   figure.drawing = plot.svg(figure.title + ". " + figure.caption);
   return figure;
 }

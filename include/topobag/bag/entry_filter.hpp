@@ -27,6 +27,18 @@ struct MapRegion {
   }
 };
 
+/// A visit that goes on: a session, from a time on. Clocks are compared within a session alone, for
+/// another may have started its clock anew.
+struct PresentVisit {
+  std::uint32_t session = 0;
+  double since = 0.0;  ///< s; what the session holds up to then is an earlier visit
+
+  /// Whether an entry belongs to it: of its session, and not known to be earlier.
+  bool contains(const EntryInfo& info) const {
+    return info.session == session && !(info.stamp && *info.stamp <= since);
+  }
+};
+
 /// Which entries of a bag are asked: those that pass every test that is set.
 struct EntryFilter {
   KeyframeId min_id{0};                                          ///< the least that is asked
@@ -35,13 +47,14 @@ struct EntryFilter {
   std::optional<double> max_stamp;      ///< s; likewise
   std::vector<std::uint32_t> sessions;  ///< any of these; empty = all
   std::vector<std::string> labels;      ///< any of these; empty = all
+  std::optional<PresentVisit> not_of;   ///< entries of this visit are left out
   std::optional<MapRegion> region;      ///< of the entries' cameras; those without a pose are out
 
   /// Whether any test is set.
   bool restricts() const {
     const EntryFilter none;
     return min_id != none.min_id || max_id != none.max_id || min_stamp || max_stamp ||
-           !sessions.empty() || !labels.empty() || region;
+           !sessions.empty() || !labels.empty() || not_of || region;
   }
 
   /// Whether the entry passes every test that is set.
@@ -53,6 +66,7 @@ struct EntryFilter {
     if (min_stamp && !(info.stamp && *info.stamp >= *min_stamp)) return false;
     if (max_stamp && !(info.stamp && *info.stamp <= *max_stamp)) return false;
     if (!any_of(sessions, info.session) || !any_of(labels, info.label)) return false;
+    if (not_of && not_of->contains(info)) return false;
     return !region || (info.T_world_camera && region->contains(info.T_world_camera->translation()));
   }
 };

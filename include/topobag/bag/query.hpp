@@ -23,6 +23,8 @@ struct ExcludedNeighbors {
   std::optional<double>
       stamp;  ///< the query's, s; with it, entries are left out that have no stamp or
   double min_time_gap = 0.0;  ///< are less than this apart from it, s
+  std::optional<std::uint32_t>
+      session;  ///< the query's; with it, entries of other sessions are never near in time
 
   /// Whether the entry is too near to the query.
   bool contains(KeyframeId entry, const EntryInfo& info) const {
@@ -30,6 +32,7 @@ struct ExcludedNeighbors {
       const std::uint64_t a = value(*id), b = value(entry);
       if ((a > b ? a - b : b - a) < min_id_gap) return true;
     }
+    if (session && info.session != *session) return false;
     return stamp && (!info.stamp || std::abs(*info.stamp - *stamp) < min_time_gap);
   }
 };

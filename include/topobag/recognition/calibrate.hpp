@@ -26,6 +26,7 @@ struct CalibrateOptions {
   std::uint32_t seed = 1;            ///< of the null model
   PoseNegativeOptions by_pose{};     ///< what is false of key frames with a pose in the world
   CalibrationOptions calibration{};  ///< how scores become rates
+  std::function<void()> on_look_up;  ///< when set, called after each, to tell how far it has come
 };
 
 namespace detail {
@@ -48,6 +49,7 @@ void add_null_look_ups(Calibration& calibration, const Relocalizer<Bag>& relocal
     const auto layout = permuted_layout(*graph, options.seed + static_cast<std::uint32_t>(i));
     const Recognition found = relocalizer.localize(layout, recognition);
     if (!found.candidates.empty()) calibration.add_null(false_score(found));
+    if (options.on_look_up) options.on_look_up();
   }
 }
 
@@ -90,6 +92,7 @@ Calibration calibrate(const Relocalizer<Bag>& relocalizer, const std::vector<Key
                      return other_places(id, entry);
                    }));
     }
+    if (options.on_look_up) options.on_look_up();
   }
   if (calibration.source() == CalibrationSource::null_model && !usable.empty()) {
     detail::add_null_look_ups(calibration, relocalizer, usable, options);

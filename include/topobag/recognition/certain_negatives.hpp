@@ -120,7 +120,8 @@ inline bool add_negative(Calibration& calibration, const Recognition& recognitio
 /// Adds a look-up whose query's pose in the world is known, wherever it is: also while mapping, to
 /// a calibration that runs.
 ///
-///     const Recognition all = loops.detect(stamp, graph, without_threshold(loops.options()));
+///     const RecognitionOptions open = without_threshold(loops.options());
+///     const Recognition all = loops.detect(stamp, graph, session, open);
 ///     if (add_negative_by_pose(calibration, all, loops.bag(), T_world_camera)) { … }
 ///
 /// Best made `without_threshold`: of a usual look-up, scores below its threshold may be missing. An

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <ios>
+#include <functional>
+#include <iomanip>
+#include <locale>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -89,11 +92,38 @@ struct Explanation {
   std::vector<CandidateExplanation> candidates;  ///< best first
 };
 
+/// How a reader knows a key frame: "key frame 7", unless the host has a better name.
+using KeyframeName = std::function<std::string(KeyframeId)>;
+
+/// The name of a key frame by its id.
+inline std::string id_name(KeyframeId id) { return "key frame " + std::to_string(value(id)); }
+
+namespace detail {
+
+/// Two numbers with the decimals that tell them apart, two at least: 0.904 and 0.896, not twice
+/// 0.90.
+inline std::pair<std::string, std::string> told_apart(double a, double b) {
+  const auto text = [](double number, int decimals) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out << std::fixed << std::setprecision(decimals) << number;
+    return out.str();
+  };
+  int decimals = 2;
+  const int most = 17;
+  while (a != b && decimals < most && text(a, decimals) == text(b, decimals)) ++decimals;
+  return {text(a, decimals), text(b, decimals)};
+}
+
+}  // namespace detail
+
 /// In lines, for a log.
-inline std::string to_string(const CandidateExplanation& candidate) {
+inline std::string to_string(const CandidateExplanation& candidate,
+                             const KeyframeName& name_of = id_name) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out.precision(2);
-  out << std::fixed << "key frame " << value(candidate.id) << ": " << to_string(candidate.verdict)
+  out << std::fixed << name_of(candidate.id) << ": " << to_string(candidate.verdict)
       << " (similarity " << candidate.similarity;
   out.precision(4);
   if (candidate.confidence) out << ", P(true) " << *candidate.confidence;
@@ -103,17 +133,20 @@ inline std::string to_string(const CandidateExplanation& candidate) {
     out << "  the search was cut short (max_pairs, max_steps or max_hypotheses)\n";
   }
   for (const ExplainedStage& stage : candidate.stages) {
-    out << "  " << (stage.passed ? "passed" : "failed") << "  " << stage.name << ": " << stage.value
-        << stage.unit << " of " << (stage.at_least ? "at least " : "at most ") << stage.asked
+    const auto [has, asked] = detail::told_apart(stage.value, stage.asked);
+    out << "  " << (stage.passed ? "passed" : "failed") << "  " << stage.name << ": " << has
+        << stage.unit << " of " << (stage.at_least ? "at least " : "at most ") << asked
         << stage.unit;
-    if (!stage.passed) out << ", missed by " << stage.missed_by() << stage.unit;
+    if (!stage.passed) {
+      out << ", missed by " << detail::told_apart(stage.missed_by(), 0.0).first << stage.unit;
+    }
     out << '\n';
   }
   if (candidate.place_support) {
     out << "  the place around it supports the pose with " << *candidate.place_support << '\n';
   }
   if (candidate.rival) {
-    out << "  another place fits about as well: key frame " << value(candidate.rival->id) << '\n';
+    out << "  another place fits about as well: " << name_of(candidate.rival->id) << '\n';
   }
   for (const ExplainedMatch& match : candidate.matched) {
     out << "  matched " << match.candidate_class;
@@ -145,12 +178,15 @@ inline std::string to_string(const CandidateExplanation& candidate) {
 }
 
 /// For a reader: a block for each candidate.
-inline std::string to_string(const Explanation& explanation) {
+inline std::string to_string(const Explanation& explanation,
+                             const KeyframeName& name_of = id_name) {
   std::string text = std::to_string(explanation.objects) + " objects";
   if (!explanation.usable) return text + ": a pose takes three with a position\n";
   if (explanation.candidates.empty()) return text + ": there is nothing to compare with\n";
   text += '\n';
-  for (const CandidateExplanation& candidate : explanation.candidates) text += to_string(candidate);
+  for (const CandidateExplanation& candidate : explanation.candidates) {
+    text += to_string(candidate, name_of);
+  }
   return text;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstdint>
 #include <utility>
 
 #include <topobag/bag/bag_concepts.hpp>
@@ -16,7 +15,7 @@ inline namespace v0 {
 
 /// What counts as an earlier visit, and how it is recognised.
 struct LoopOptions {
-  double min_gap = 20.0;  ///< s; nearer key frames are the present visit, not an earlier one
+  double min_gap = 20.0;             ///< s; nearer key frames of the session are the present visit
   RecognitionOptions recognition{};  ///< retrieval, matching and decision
 };
 
@@ -44,26 +43,27 @@ class LoopDetector {
   /// The same, to be changed.
   Bag& bag() noexcept { return relocalizer_.map(); }
 
-  /// Looks the key frame up among those at least `min_gap` older; entries without a stamp are never
+  /// Looks the key frame up among those of other sessions, whatever their clocks say, and those of
+  /// its own that are at least `min_gap` older; entries of its session without a stamp are never
   /// asked. Nothing is added. Throws InvalidValue when the stamp or the gap is not finite.
-  Recognition detect(double stamp, const Graph& graph) const {
-    return detect(stamp, graph, relocalizer_.options());
+  Recognition detect(double stamp, const Graph& graph, std::uint32_t session = 0) const {
+    return detect(stamp, graph, session, relocalizer_.options());
   }
 
   /// The same with options for this key frame alone.
-  Recognition detect(double stamp, const Graph& graph, RecognitionOptions options) const {
-    std::optional<double>& max_stamp = options.retrieval.among.max_stamp;
+  Recognition detect(double stamp, const Graph& graph, std::uint32_t session,
+                     RecognitionOptions options) const {
     const double latest = stamp - min_gap_;
     if (!std::isfinite(latest)) {
       throw InvalidValue("a key frame's stamp and the least gap between visits must be finite");
     }
-    max_stamp = max_stamp ? std::min(*max_stamp, latest) : latest;
+    options.retrieval.among.not_of = PresentVisit{session, latest};
     return relocalizer_.localize(graph, options);
   }
 
-  /// `detect`, then puts the key frame into the bag.
+  /// `detect` in the session of `info`, then puts the key frame into the bag.
   Recognition detect_and_add(KeyframeId id, double stamp, Graph graph, EntryInfo info = {}) {
-    Recognition recognition = detect(stamp, graph);
+    Recognition recognition = detect(stamp, graph, info.session);
     info.stamp = stamp;
     bag().add(id, std::move(graph), std::move(info));
     return recognition;

@@ -33,9 +33,11 @@ TEST_CASE("colour is taken as it is stored, as depth is, whatever EXIF asks for"
   program::DetectionSource source;
   source.boxes.emplace();
   source.boxes->of_image = {{{topobag::box_around({8, 4}, 4, 4), topobag::ClassId{62}, 0.9}}};
-  topobag::PinholeCamera<> camera{20, 20, 8, 4};
+  const program::ImageSize size = program::size_of_image(rgb);
+  const topobag::PinholeCamera<> camera{20, 20, 8, 4, size.width, size.height};
   const program::RgbdFrame frame{1.0, rgb, folder.path("depth.png"), {}};
-  const auto detected = program::detect_nodes({frame}, source, 1000.0, camera);
-  CHECK(camera.width == 16);
+  program::NodesCheckpoint checkpoint(folder.path("set"), "");
+  const auto detected = program::detect_nodes({frame}, source, 1000.0, camera, checkpoint);
+  CHECK(size.width == 16);
   CHECK(detected.table.frames.at(0).detections.at(0).z == 2.0);
 }

@@ -31,7 +31,7 @@ Entry random_entry(std::mt19937& random) {
 EntryFilter random_filter(std::mt19937& random) {
   EntryFilter filter;
   const auto number = [&] { return static_cast<double>(below(random, 12)) - 1.0; };
-  switch (below(random, 5)) {
+  switch (below(random, 6)) {
     case 0:
       filter.min_id = KeyframeId{below(random, 12)};
       break;
@@ -43,6 +43,9 @@ EntryFilter random_filter(std::mt19937& random) {
       break;
     case 3:
       filter.max_stamp = number();
+      break;
+    case 4:
+      filter.not_of = PresentVisit{below(random, 10), number()};
       break;
     default:
       filter.region = MapRegion{{number(), number(), number()}, number() / 3.0};

@@ -42,10 +42,17 @@ class InfoRange {
       return session >= least_session_ && session <= greatest_session_;
     };
     if (!sessions.empty() && std::none_of(sessions.begin(), sessions.end(), has)) return false;
+    if (filter.not_of && all_in(*filter.not_of)) return false;
     return !filter.region || may_touch(*filter.region);
   }
 
  private:
+  /// Whether all entries belong to the visit.
+  bool all_in(const PresentVisit& visit) const {
+    return least_session_ == visit.session && greatest_session_ == visit.session &&
+           least_stamp_ > visit.since;
+  }
+
   bool may_touch(const MapRegion& region) const {
     if (cameras_.isEmpty()) return false;
     const Eigen::Vector3d nearest = region.center.cwiseMax(cameras_.min()).cwiseMin(cameras_.max());

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "pair_scores.hpp"
+
+#include <fstream>
+
+#include <topobag/evaluation/npy_matrix.hpp>
+
+#include "input_error.hpp"
+
+namespace program {
+namespace {
+
+bool is_npy(const std::string& path) {
+  std::string beginning(6, '\0');
+  std::ifstream(path, std::ios::binary).read(beginning.data(), 6);
+  return beginning == "\x93NUMPY";
+}
+
+}  // namespace
+
+PairScores read_pair_scores(const std::string& path, bool lower_is_better) {
+  PairScores scores;
+  if (is_npy(path)) {
+    scores = topobag::read_npy(path);
+  } else {
+    scores = topobag::read_score_csv(path);
+  }
+  if (!lower_is_better) return scores;
+  if (auto* const matrix = std::get_if<topobag::ScoreMatrix>(&scores)) {
+    *matrix = -*matrix;
+  } else {
+    for (auto& pair : std::get<topobag::ScoreList>(scores).pairs) pair.score = -pair.score;
+  }
+  return scores;
+}
+
+topobag::LabelledScores label_scores(const PairScores& scores, const topobag::PlaceTruth& truth,
+                                     const std::string& path) {
+  try {
+    if (const auto* const matrix = std::get_if<topobag::ScoreMatrix>(&scores)) {
+      return topobag::label_scores(*matrix, truth);
+    }
+    return topobag::label_scores(std::get<topobag::ScoreList>(scores).pairs, truth);
+  } catch (const topobag::Error& error) {
+    throw InputError(path, error.what());
+  }
+}
+
+}  // namespace program
