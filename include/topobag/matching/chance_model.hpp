@@ -51,7 +51,7 @@ struct ChanceModel {
   double fill = 1.5;  ///< area that chance fills, in rectangles of the matched objects' scatter
   double min_extent = 0.10;      ///< m, of each of its sides
   double height_spread = 0.15;   ///< m; σ of the heights at which objects of one class stand
-  SizePrior sizes{};             ///< how sizes of one class differ
+  SizePrior sizes;               ///< how sizes of one class differ
   double relabeling = 0.45;      ///< −log10 P of the label of a pair of two classes of one group
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's

@@ -28,10 +28,12 @@ struct SizeSpread {
 /// N(offset, 2 within² + deviation²). The second kind is worked out pair by pair, each given those
 /// before it (a Kalman filter of the offset), so that the factors add up to the exact odds.
 struct SizePrior {
+  SizePrior() {}  // by default, g++ 12 warns that the map is not initialised where an option is
+
   double deviation = 0.15;  ///< of the logarithm of one object's width or height, seen twice
   double outliers = 0.10;   ///< share of the sides that tell nothing: cut or misread boxes
-  SizeSpread spread{};      ///< of classes of which nothing is known: most things that are made
-  std::map<ClassId, SizeSpread> classes{};  ///< of the others (`learn_layouts.hpp`)
+  SizeSpread spread;        ///< of classes of which nothing is known: most things that are made
+  std::map<ClassId, SizeSpread> classes;  ///< of the others (`learn_sizes.hpp`)
 
   const SizeSpread& of(ClassId label) const {
     const auto known = classes.find(label);
