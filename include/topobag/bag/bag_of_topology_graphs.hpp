@@ -215,6 +215,11 @@ class BagOfTopologyGraphs {
     return entry;
   }
 
+  static ClassCounts objects_of([[maybe_unused]] const Graph& graph) {
+    if constexpr (detail::is_topology_graph_v<Graph>) return class_counts(graph.nodes());
+    return {};
+  }
+
   /// Makes an entry known to everything that finds entries.
   void place(KeyframeId id, Entry& entry) {
     places_.add(id, entry.info, objects_of(entry.graph));
@@ -225,11 +230,6 @@ class BagOfTopologyGraphs {
     places_.remove(id, entry.info, objects_of(entry.graph));
     cameras_.remove(id, entry.info);
     if constexpr (indexed) index_.remove(entry.key, similarity_.descriptor(entry.graph));
-  }
-
-  static ClassCounts objects_of(const Graph& graph) {
-    if constexpr (detail::is_topology_graph_v<Graph>) return class_counts(graph.nodes());
-    return {};
   }
 
   template <typename Key>

@@ -15,8 +15,8 @@
 #include <topobag/bag/detail/free_ids.hpp>
 #include <topobag/bag/detail/part_builder.hpp>
 #include <topobag/bag/detail/part_edits.hpp>
+#include <topobag/bag/detail/published_places.hpp>
 #include <topobag/bag/merge_options.hpp>
-#include <topobag/bag/place_count.hpp>
 #include <topobag/bag/session_number.hpp>
 #include <topobag/error.hpp>
 
@@ -50,7 +50,7 @@ class BasicIndexedBag {
       : similarity_(other.similarity_), views_(other.views_) {
     detail::BagParts parts = other.view()->parts_;
     if (parts.head) parts.head = std::make_shared<detail::HeadBlock>(*parts.head, parts.head_size);
-    recount(parts);
+    places_.recount(parts);
     publish(std::move(parts));
   }
   BasicIndexedBag& operator=(const BasicIndexedBag& other) {
@@ -58,7 +58,6 @@ class BasicIndexedBag {
     similarity_ = copy.similarity_;
     views_ = copy.views_;
     places_ = copy.places_;
-    published_.reset();
     publish(copy.parts());
     return *this;
   }
@@ -91,7 +90,7 @@ class BasicIndexedBag {
     }
     detail::HeadBlock::Entry entry = make_entry(id, graph, info);
     detail::BagParts next = with_kind_of(graph);
-    const auto [info_before, objects_before] = placed(next, *place);
+    const auto [info_before, objects_before] = places_.placed(next, *place);
     detail::remove(next, *place, *similarity_);
     detail::append(next, std::move(entry), *similarity_);
     places_.remove(id, info_before, objects_before);
@@ -105,7 +104,7 @@ class BasicIndexedBag {
     const auto place = parts().find(id);
     if (!place) return false;
     detail::BagParts next = parts();
-    const auto [info, objects] = placed(next, *place);
+    const auto [info, objects] = places_.placed(next, *place);
     detail::remove(next, *place, *similarity_);
     places_.remove(id, info, objects);
     publish(std::move(next));
@@ -151,7 +150,7 @@ class BasicIndexedBag {
     next.sealed = std::move(sealed_parts);
     next.appearance_kind = kind;
     next.live += theirs.live;
-    recount(next);
+    places_.recount(next);
     publish(std::move(next));
     return new_ids;
   }
@@ -202,29 +201,9 @@ class BasicIndexedBag {
     return next;
   }
 
-  /// Counts the places of `parts` anew. O(n log places).
-  void recount(const detail::BagParts& parts) {
-    places_.clear();
-    parts.for_each([&](detail::EntryPlace place) {
-      const auto [info, objects] = placed(parts, place);
-      places_.add(parts.entry(place).id, info, objects);
-    });
-  }
-
-  /// What says in which place an entry is, and what it holds.
-  std::pair<EntryInfo, ClassCounts> placed(const detail::BagParts& parts,
-                                           detail::EntryPlace place) {
-    return {parts.info(place), class_counts(scan_(parts.entry(place).graph))};
-  }
-
   void publish(detail::BagParts parts) {
     parts.places = places_.size();
-    const std::uint64_t revision = places_.contents().revision();
-    if (published_ != revision) {
-      contents_ = std::make_shared<const PlaceContents>(places_.contents());
-    }
-    published_ = revision;
-    parts.contents = contents_;
+    parts.contents = places_.contents();
     auto next = std::make_shared<const View>(similarity_, std::move(parts));
     const std::lock_guard<std::mutex> lock(mutex_);
     view_.swap(next);  // the old one goes when the lock is free again
@@ -249,10 +228,8 @@ class BasicIndexedBag {
 
   std::shared_ptr<const Similarity> similarity_;
   ViewSection views_;
-  detail::NodeScan scan_;  ///< the writer's
-  PlaceCount places_;      ///< the writer's
-  std::shared_ptr<const PlaceContents> contents_;  ///< of `places_` as last published
-  std::optional<std::uint64_t> published_;         ///< their revision then
+  detail::NodeScan scan_;           ///< the writer's
+  detail::PublishedPlaces places_;  ///< the writer's
   mutable std::mutex mutex_;
   std::shared_ptr<const View> view_;  ///< replaced under `mutex_`
 };
