@@ -52,7 +52,6 @@
 #include <topobag/evaluation/recall_at_k.hpp>
 #include <topobag/evaluation/relative_pose_error.hpp>
 #include <topobag/evaluation/score_csv.hpp>
-#include <topobag/evaluation/size_prior_csv.hpp>
 #include <topobag/evaluation/text_lines.hpp>
 #include <topobag/evaluation/trajectory.hpp>
 #include <topobag/evaluation/trajectory_error.hpp>
