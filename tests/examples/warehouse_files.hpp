@@ -39,9 +39,9 @@ class WarehouseFiles {
     };
     std::vector<Object> objects;
     for (int i = 0; i < 24; ++i) {
-      const double x = -3.6 + 0.3 * i;
-      objects.push_back({topobag::ClassId{static_cast<int>(random() % classes.catalog.size())},
-                         {x, within(-1.2, 1.2), within(3.0, 6.0)},
+      const double x = -2.8 + 0.24 * i;
+      objects.push_back({topobag::ClassId{i % static_cast<int>(classes.catalog.size())},
+                         {x, within(-1.0, 1.0), within(3.0, 6.0)},
                          within(0.2, 0.4)});
     }
     for (int k = 0; k < frame_count; ++k) {
