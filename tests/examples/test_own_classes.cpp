@@ -28,7 +28,7 @@ struct OwnClasses {
   WarehouseFiles first{classes, 1, 0.0}, second{classes, 1, 0.07};
 };
 
-nlohmann::json json_of(const std::string& arguments) {
+nlohmann::json own_json(const std::string& arguments) {
   const ProgramRun run = run_program(arguments + "--json");
   CAPTURE(arguments, run.err);
   REQUIRE(run.exit_code == 0);
@@ -39,7 +39,7 @@ nlohmann::json json_of(const std::string& arguments) {
 void require_every_command(const OwnClasses& own, const std::string& map,
                            const std::string& query) {
   const std::string tables = "--map " + map + " --query " + query + own.options;
-  const auto found = json_of("localize " + tables);
+  const auto found = own_json("localize " + tables);
   CHECK(found.at("accepted") > 0);
   CHECK(found.at("wrong") == 0);
   REQUIRE(found.at("matches").size() > 0);
@@ -47,23 +47,25 @@ void require_every_command(const OwnClasses& own, const std::string& map,
     CHECK(own.classes.catalog.dynamics(own.classes.catalog.at(name)) != topobag::Dynamics::high);
   }
   const std::string frame = std::to_string(found.at("matches")[0].at("query_idx").get<int>());
-  const auto told = json_of("explain --frame " + frame + ' ' + tables);
+  const auto told = own_json("explain --frame " + frame + ' ' + tables);
   CHECK(told.at("candidates")[0].at("verdict") == "accepted");
   const std::string svg = own.folder.path("match.svg");
   CHECK(run_program("explain --svg " + svg + " --frame " + frame + ' ' + tables).exit_code == 0);
   CHECK(content_of(svg).find("rack") != std::string::npos);
-  CHECK(json_of("loops --min-gap 10 --nodes " + query + own.options).at("accepted") > 0);
+  CHECK(own_json("loops --min-gap 10 --nodes " + query + own.options).at("accepted") > 0);
   CHECK(run_program("localize --verbose --calibrate " + tables).exit_code == 0);
-  CHECK(json_of("compare " + tables).at("methods").size() > 1);
-  CHECK(json_of("similarity --frames 0,3 --nodes " + query + own.options).at("frames").size() == 2);
+  CHECK(own_json("compare " + tables).at("methods").size() > 1);
+  CHECK(own_json("similarity --frames 0,3 --nodes " + query + own.options).at("frames").size() ==
+        2);
   for (const std::string& name : own_maps) {
     const ScratchFolder folder;
     const std::string file = folder.path(name);
     REQUIRE(run_program("map --nodes " + map + own.options + "--out " + file).exit_code == 0);
-    const auto objects = json_of("info " + file + own.option + ' ').at("objects");
+    const auto objects = own_json("info " + file + own.option + ' ').at("objects");
     CHECK(objects.size() == 17);  // all but what moves by itself
     CHECK_FALSE(objects.contains("forklift"));
-    CHECK(json_of("localize --map " + file + " --query " + query + own.options).at("accepted") > 0);
+    CHECK(own_json("localize --map " + file + " --query " + query + own.options).at("accepted") >
+          0);
   }
 }
 
