@@ -31,9 +31,10 @@ struct BoxReading {
 ///
 /// A folder holds one YOLO text file an image, `<image>.txt`, with lines `class cx cy w h [score]`,
 /// the box as shares of the image and the class as a position in `classes`. A file is COCO's JSON:
-/// a list of results (image_id, category_id, bbox, score) with COCO's own numbers of categories, or
-/// a data set (images, categories, annotations) with categories by name. An image goes by its
-/// file's name (see `ImageNames`) or, where there is none, by its id. Scores lie in [0, 1].
+/// a list of results (image_id, category_id, bbox, score) with the catalog's numbers of categories,
+/// COCO's own (1 to 90) for its classes, or a data set (images, categories, annotations) with
+/// categories by name. An image goes by its file's name (see `ImageNames`) or, where there is none,
+/// by its id. Scores lie in [0, 1].
 /// @param images  paths of the sequence's images
 /// Throws topobag::Error with the file and the line or entry, also where it speaks of none of the
 /// images.

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <limits>
 #include <map>
+
+#include <topobag/types/catalog_fingerprint.hpp>
 
 #include "csv_reader.hpp"
 #include "input_error.hpp"
@@ -35,6 +39,24 @@ topobag::ClassId coco_class(const Json& category) {
     throw InputError("category " + json_text(category) + " is none of COCO's");
   }
   return topobag::ClassId{position};
+}
+
+/// The class of a category's number, where the file does not name it: COCO's own numbers for COCO's
+/// classes, else the catalog's.
+topobag::ClassId numbered_class(const Json& category, const topobag::ClassCatalog& catalog) {
+  if (topobag::fingerprint(catalog) == topobag::fingerprint(topobag::ClassCatalog::coco80())) {
+    return coco_class(category);
+  }
+  const auto number = topobag::parse_whole(json_text(category));
+  const std::int64_t none = -1, largest = std::numeric_limits<std::int32_t>::max();
+  const topobag::ClassId label{
+      static_cast<std::int32_t>(std::clamp(number.value_or(none), none, largest))};
+  if (!catalog.contains(label)) {
+    throw InputError("category " + json_text(category) + " is the number of no class, from 0 to " +
+                     std::to_string(catalog.size() - 1) +
+                     "; number them so, or give a data set that lists its categories by name");
+  }
+  return label;
 }
 
 /// Calls `read(id, entry)` for what a data set lists by id. An id may be there again only with the
@@ -105,8 +127,8 @@ std::vector<CocoImage> read_coco(const std::string& path, const topobag::ClassCa
       const Json& category = entry.at("category_id");
       const auto called =
           category.is_null() ? categories.end() : categories.find(id_text(category));
-      const topobag::ClassId label =
-          called != categories.end() ? catalog.at(called->second) : coco_class(category);
+      const topobag::ClassId label = called != categories.end() ? catalog.at(called->second)
+                                                                : numbered_class(category, catalog);
       images[image->second].boxes.push_back(detection_of(entry, label));
     }
     number = 0;

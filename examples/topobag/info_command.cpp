@@ -25,6 +25,7 @@ namespace {
 struct InfoArguments {
   std::string map;
   bool json = false;
+  ObjectClasses classes;
 };
 
 /// What is counted of a session.
@@ -63,8 +64,7 @@ struct MapFigures {
 };
 
 /// Classes and how often each stands in a graph, the most frequent first.
-Json class_counts(const MapFigures& figures) {
-  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+Json class_counts(const MapFigures& figures, const topobag::ClassCatalog& catalog) {
   std::vector<std::pair<topobag::ClassId, std::size_t>> ranked(figures.classes.begin(),
                                                                figures.classes.end());
   std::stable_sort(ranked.begin(), ranked.end(),
@@ -91,7 +91,7 @@ Json session_json(const SavedSession& session, const MapFigures& figures) {
 }
 
 void inform(const InfoArguments& arguments) {
-  const SavedMap map = read_saved_map(arguments.map);
+  const SavedMap map = read_saved_map(arguments.map, arguments.classes.catalog);
   MapFigures figures;
   map.bag.for_each([&](topobag::KeyframeId, const topobag::EntryInfo& info,
                        const topobag::TopologyGraph<>& graph) { figures.add(info, graph); });
@@ -115,7 +115,7 @@ void inform(const InfoArguments& arguments) {
                     {"graph_bytes_per_keyframe", or_null(mean_of(figures.graph_bytes))},
                     {"view_bytes_per_keyframe", or_null(mean_of(figures.view_bytes))},
                     {"sessions", sessions},
-                    {"objects", class_counts(figures)}};
+                    {"objects", class_counts(figures, arguments.classes.catalog)}};
   std::cout << output_text(result, arguments.json);
 }
 
@@ -125,6 +125,7 @@ void add_info_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("info", "Says what a map holds");
   const auto arguments = std::make_shared<InfoArguments>();
   command.add_option("map", arguments->map, "SQLite map or snapshot")->required();
+  add_classes_option(command, arguments->classes);
   command.add_flag("--json", arguments->json, "In JSON");
   command.callback([arguments] { inform(*arguments); });
 }

@@ -84,8 +84,8 @@ void require_usable(const std::string& set, const NodeTable& table,
   std::size_t detections = 0;
   for (const FrameRow& frame : table.frames) {
     detections += frame.detections.size();
-    dropped += topobag::lift_detections(frame.detections, options.camera,
-                                        topobag::ClassCatalog::coco80(), lifting_of(options))
+    dropped += topobag::lift_detections(frame.detections, options.camera, options.classes.catalog,
+                                        lifting_of(options))
                    .dropped;
   }
   std::ostringstream why;
@@ -101,7 +101,6 @@ void require_usable(const std::string& set, const NodeTable& table,
 }  // namespace
 
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options) {
-  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
   topobag::SightingOptions sighting;
   sighting.lifting = lifting_of(options);
   sighting.max_detections = std::numeric_limits<std::size_t>::max();  // all that the table holds
@@ -114,8 +113,8 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
   const auto selected = at_interval(table.frames, options.interval);
   Progress progress(selected.size(), "key frames made");
   for (const FrameRow* frame : selected) {
-    topobag::KeyframeSighting seen = topobag::sight_keyframe(frame->timestamp, frame->detections,
-                                                             options.camera, catalog, sighting);
+    topobag::KeyframeSighting seen = topobag::sight_keyframe(
+        frame->timestamp, frame->detections, options.camera, options.classes.catalog, sighting);
     Keyframe keyframe{frame->idx, frame->timestamp, frame->T_world_camera, {}, {}};
     if (options.window > 0.0) {
       local.add(seen.stamp, seen.nodes, relative_pose(previous ? *previous : *frame, *frame),
@@ -134,7 +133,7 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
 }
 
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options) {
-  NodeTable table = read_node_table(set);
+  NodeTable table = read_node_table(set, options.classes.catalog);
   if (!options.trajectory.empty()) take_poses(options.trajectory, table.frames);
   require_in_image(set, table, options.camera);
   apply(options.stress, table);

@@ -11,6 +11,7 @@
 
 #include "keyframe.hpp"
 #include "node_table.hpp"
+#include "object_classes.hpp"
 #include "table_gravity.hpp"
 #include "table_stress.hpp"
 
@@ -28,6 +29,7 @@ struct KeyframeOptions {
   TableGravity gravity{};    ///< which way is down, told to the table by `read_keyframes`
   std::string trajectory{};  ///< file of the frames' poses, instead of the table's; empty = none
   bool matchable = true;     ///< `read_keyframes` wants a graph that can be matched
+  ObjectClasses classes{};   ///< of the table's objects
 };
 
 /// The key frames of a table: for k = 0, 1, … the first frame at or after t0 + k · interval, each

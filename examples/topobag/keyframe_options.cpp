@@ -15,6 +15,7 @@ void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize
                     "Intrinsics fx,fy,cx,cy[,width,height], px")
       ->required();
   add_image_size_option(command, image_size);
+  add_classes_option(command, options.classes);
   const auto number = [&](const char* name, double& value, const char* description, double max) {
     command.add_option(name, value, description)
         ->check(number_within(0.0, max))
@@ -56,6 +57,7 @@ RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions opt
   map_options.trajectory = tables.map_trajectory;
   options.stress.stream = map_options.stress.stream + 1;
   RecognitionRun run;
+  run.classes = options.classes;
   run.map_set = set_name(tables.map);
   run.query_set = set_name(tables.query);
   run.map = read_map(tables.map, map_options);
@@ -67,6 +69,7 @@ RecognitionRun read_sequence(const std::string& nodes, KeyframeOptions options,
                              const ImageSize& image_size) {
   options.camera = with_size(options.camera, image_size);
   RecognitionRun run;
+  run.classes = options.classes;
   run.map_set = run.query_set = set_name(nodes);
   run.map = run.queries = read_keyframes(nodes, options);
   return run;

@@ -14,8 +14,8 @@
 
 namespace program {
 
-/// Adds `--camera`, `--image-size`, how key frames are made, which way is up, where their poses
-/// come from, what stress the table is put under, and `--progress`.
+/// Adds `--camera`, `--image-size`, `--classes`, how key frames are made, which way is up, where
+/// their poses come from, what stress the table is put under, and `--progress`.
 void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize& image_size);
 
 /// A map and the key frames to look up in it.

@@ -12,18 +12,12 @@
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/recognition/place_score.hpp>
 #include <topobag/recognition/relocalizer.hpp>
-#include <topobag/types/class_catalog.hpp>
 
 #include "progress.hpp"
 #include "stopwatch.hpp"
 
 namespace program {
 namespace {
-
-/// The library's defaults, for the classes of a node table.
-topobag::RecognitionOptions table_recognition_options() {
-  return topobag::recognition_options(topobag::ClassCatalog::coco80());
-}
 
 /// What a front end knows of a key frame of its map.
 topobag::EntryInfo info_of(const Keyframe& keyframe) {
@@ -33,8 +27,10 @@ topobag::EntryInfo info_of(const Keyframe& keyframe) {
   return info;
 }
 
-topobag::Relocalizer<> relocalizer_of(const std::vector<Keyframe>& map) {
-  topobag::Relocalizer<> relocalizer(table_recognition_options());
+/// The map of a run.
+topobag::Relocalizer<> relocalizer_of(const RecognitionRun& run) {
+  const std::vector<Keyframe>& map = run.map;
+  topobag::Relocalizer<> relocalizer(recognition_options_for(run.classes));
   for (std::size_t i = 0; i < map.size(); ++i) {
     if (!map[i].graph.is_matchable()) continue;
     relocalizer.map().add(topobag::KeyframeId{i}, map[i].graph, info_of(map[i]));
@@ -78,7 +74,7 @@ LookUp timed(KeptCandidates kept, const Recognize& recognize) {
 /// @param min_gap  s; a key frame with a pose is not looked up among those nearer in time
 topobag::Calibration learn(const RecognitionRun& run, const std::vector<Keyframe>& other_places,
                            std::optional<double> min_gap) {
-  const topobag::Relocalizer<> relocalizer = relocalizer_of(run.map);
+  const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
   std::vector<topobag::KeyframeId> ids;
   for (std::size_t i = 0; i < run.map.size(); ++i) ids.push_back(topobag::KeyframeId{i});
   const auto usable =
@@ -103,7 +99,7 @@ topobag::Calibration learn(const RecognitionRun& run, const std::vector<Keyframe
 /// The program's options with the decision that was asked for, which the run then tells of.
 topobag::RecognitionOptions decided_options(RecognitionRun& run, const CalibrationRequest& request,
                                             std::optional<double> min_gap = std::nullopt) {
-  topobag::RecognitionOptions options = table_recognition_options();
+  topobag::RecognitionOptions options = recognition_options_for(run.classes);
   options.decision.false_accept_rate = request.false_accept_rate;
   run.calibrated.reset();
   if (request.learnt) {
@@ -121,7 +117,7 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
                     std::optional<double> leave_out_radius) {
   if (leave_out_radius) require_poses(run, "--leave-out-radius");
   topobag::RecognitionOptions options = decided_options(run, request);
-  const topobag::Relocalizer<> relocalizer = relocalizer_of(run.map);
+  const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
   run.look_ups.clear();
   Progress progress(run.queries.size(), "key frames looked up");
   for (const Keyframe& query : run.queries) {
@@ -139,8 +135,8 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
 
 topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index) {
   const topobag::Recognition& recognition = run.look_ups[index].recognition;
-  return topobag::explain(recognition, relocalizer_of(run.map).map(), run.queries[index].graph,
-                          topobag::ClassCatalog::coco80(), table_recognition_options());
+  return topobag::explain(recognition, relocalizer_of(run).map(), run.queries[index].graph,
+                          run.classes.catalog, recognition_options_for(run.classes));
 }
 
 void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationRequest& request) {
@@ -161,7 +157,7 @@ void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationReque
 }
 
 void verify(RecognitionRun& run, const std::vector<std::vector<topobag::Candidate>>& candidates) {
-  const topobag::Relocalizer<> relocalizer = relocalizer_of(run.map);
+  const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
   const topobag::RecognitionOptions& options = relocalizer.options();
   run.look_ups.clear();
   Progress progress(run.queries.size(), "key frames verified");

@@ -25,7 +25,7 @@ void make_map(const MapArguments& arguments) {
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
   const std::string session =
       arguments.session.empty() ? name_of(set_name(arguments.nodes)) : arguments.session;
-  write_saved_map(arguments.out, session, keyframes, arguments.append);
+  write_saved_map(arguments.out, session, keyframes, options.classes.catalog, arguments.append);
   std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
             << " added\n";
 }

@@ -150,9 +150,8 @@ std::string pair_svg(const RecognitionRun& run, std::size_t index,
       if (panel.shows(missing.node)) draw_missing(out, panel.center(missing.node));
     }
   }
-  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
-  left.draw_labels(out, catalog);
-  right.draw_labels(out, catalog);
+  left.draw_labels(out, run.classes.catalog);
+  right.draw_labels(out, run.classes.catalog);
   out << "</svg>\n";
   return out.str();
 }

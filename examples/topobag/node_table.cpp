@@ -2,6 +2,7 @@
 #include "node_table.hpp"
 
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -67,27 +68,40 @@ class DetectionRows {
 
  private:
   topobag::ClassId read_label() const {
+    if (!class_) return numbered_label();
     const topobag::ClassId label = named_label();
     if (class_id_ && !csv_.text(*class_id_).empty() &&
         csv_.integer(*class_id_) != topobag::value(label)) {
       throw csv_.error("class_id " + std::string(csv_.text(*class_id_)) + " does not go with '" +
-                       std::string(csv_.text(class_)) + "', which is number " +
+                       std::string(csv_.text(*class_)) + "', which is number " +
                        std::to_string(topobag::value(label)));
     }
     return label;
   }
 
   topobag::ClassId named_label() const {
-    try {
-      return catalog_.at(csv_.text(class_));
-    } catch (const topobag::UnknownClass& unknown) {
-      throw csv_.error(unknown.what());
+    return csv_.located([&] { return catalog_.at(csv_.text(*class_)); });
+  }
+
+  topobag::ClassId numbered_label() const {
+    const std::int64_t number = csv_.integer(*class_id_);
+    const bool is_class = number >= 0 && number <= std::numeric_limits<std::int32_t>::max() &&
+                          catalog_.contains(topobag::ClassId{static_cast<std::int32_t>(number)});
+    if (!is_class) {
+      throw csv_.error("class_id " + std::to_string(number) +
+                       " is the number of no class; give the table's classes by --classes");
     }
+    return topobag::ClassId{static_cast<std::int32_t>(number)};
+  }
+
+  /// Numbers alone will do.
+  static std::optional<std::size_t> class_column(const CsvReader& csv) {
+    return csv.find_column("class_id") ? csv.find_column("class") : csv.column("class");
   }
 
   const CsvReader& csv_;
   const topobag::ClassCatalog& catalog_;
-  std::size_t class_ = csv_.column("class");
+  std::optional<std::size_t> class_ = class_column(csv_);
   std::optional<std::size_t> class_id_ = csv_.find_column("class_id");
   std::size_t conf_ = csv_.column("conf");
   std::size_t u_ = csv_.column("u");

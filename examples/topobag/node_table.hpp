@@ -29,8 +29,8 @@ struct FrameRow {
 /// A table named SET is two files. `SET.frames.csv` has columns idx, frame, timestamp and
 /// optionally the pose tx ty tz qx qy qz qw (camera to world; empty where unknown);
 /// `SET.nodes.csv` has idx (of the frame), class, conf, u, v (box centre, px), w, h (box size, px),
-/// z (m, 0 = unknown) and optionally class_id, and what the object looks like (see
-/// `AppearanceColumns`). Further columns are ignored.
+/// z (m, 0 = unknown) and optionally class_id, which may also stand for class, and what the object
+/// looks like (see `AppearanceColumns`). Further columns are ignored.
 struct NodeTable {
   std::vector<FrameRow> frames;
   std::string appearance{};  ///< name of the method that described the objects; empty = none did
@@ -40,7 +40,8 @@ struct NodeTable {
 std::string set_name(const std::string& path);
 
 /// Reads `set`.frames.csv and `set`.nodes.csv. Classes go by their name; class_id, where given,
-/// has to agree with `catalog`. Throws InputError with the file and the line.
+/// has to agree with `catalog`, and is the class where there are no names. Throws topobag::Error
+/// with the file and the line.
 NodeTable read_node_table(const std::string& set,
                           const topobag::ClassCatalog& catalog = topobag::ClassCatalog::coco80());
 

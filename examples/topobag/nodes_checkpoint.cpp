@@ -33,14 +33,17 @@ FrameRow row_of(const RgbdFrame& frame, std::size_t idx) {
 }
 
 NodesCheckpoint::NodesCheckpoint(const std::string& set, std::string made_with,
-                                 Clock::duration pause)
-    : set_(set_name(set) + ".partial"), made_with_(std::move(made_with)), pause_(pause) {}
+                                 topobag::ClassCatalog catalog, Clock::duration pause)
+    : set_(set_name(set) + ".partial"),
+      made_with_(std::move(made_with)),
+      catalog_(std::move(catalog)),
+      pause_(pause) {}
 
 DetectedNodes NodesCheckpoint::earlier(const std::vector<RgbdFrame>& frames) const {
   if (!std::filesystem::exists(set_ + ".json")) return {};
   try {
     const Json state = Json::parse(read_file(set_ + ".json"));
-    DetectedNodes kept{read_node_table(set_), state.at("outside").get<std::size_t>()};
+    DetectedNodes kept{read_node_table(set_, catalog_), state.at("outside").get<std::size_t>()};
     std::vector<FrameRow>& rows = kept.table.frames;
     if (state != state_of(made_with_, kept) || rows.size() > frames.size()) return {};
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -59,7 +62,7 @@ DetectedNodes NodesCheckpoint::earlier(const std::vector<RgbdFrame>& frames) con
 
 void NodesCheckpoint::keep(const DetectedNodes& detected) {
   if (Clock::now() - kept_ < pause_) return;
-  write_node_table(set_, detected.table);
+  write_node_table(set_, detected.table, catalog_);
   write_file(set_ + ".json", json_text(state_of(made_with_, detected)));
   kept_ = Clock::now();
 }

@@ -23,8 +23,10 @@ class NodesCheckpoint {
   /// @param set        table to be; SET.partial.* hold the one so far
   /// @param made_with  all that the detections depend on; a table made with other things is no
   ///                   beginning of this one
+  /// @param catalog    of the table's classes
   /// @param pause      from one time that the table is kept to the next
   NodesCheckpoint(const std::string& set, std::string made_with,
+                  topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80(),
                   Clock::duration pause = std::chrono::seconds(10));
 
   /// What an earlier run got done of the frames, from the first one on.
@@ -39,6 +41,7 @@ class NodesCheckpoint {
  private:
   std::string set_;
   std::string made_with_;
+  topobag::ClassCatalog catalog_;
   Clock::duration pause_;
   Clock::time_point kept_ = Clock::now();
 };

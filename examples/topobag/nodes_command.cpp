@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <topobag/sensing/lift_detections.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
 
 #include "box_files.hpp"
 #include "camera_option.hpp"
@@ -18,6 +19,7 @@
 #include "input_error.hpp"
 #include "name_check.hpp"
 #include "number_check.hpp"
+#include "object_classes.hpp"
 #include "progress.hpp"
 
 namespace program {
@@ -29,6 +31,7 @@ struct NodesOptions {
   std::string boxes;
   std::string names;
   std::string out;
+  ObjectClasses classes;
   topobag::PinholeCamera<> camera;
   double depth_scale = 5000.0;
   topobag::YoloOptions yolo;
@@ -101,13 +104,13 @@ std::string text_of(const NodesOptions& options) {
   text << camera.fx << ' ' << camera.fy << ' ' << camera.cx << ' ' << camera.cy << ' '
        << camera.width << ' ' << camera.height << ' ' << options.depth_scale << ' '
        << static_cast<int>(yolo.head) << ' ' << yolo.min_confidence << ' ' << yolo.max_iou << ' '
-       << yolo.input_size << ' '
-       << options.colors;
+       << yolo.input_size << ' ' << options.colors << ' '
+       << topobag::fingerprint(options.classes.catalog);
   return text.str();
 }
 
 void make_nodes(const NodesOptions& options) {
-  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  const topobag::ClassCatalog& catalog = options.classes.catalog;
   const std::filesystem::path folder = std::filesystem::path(options.out).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw InputError("--out " + options.out, "the folder does not exist; make it first");
@@ -128,7 +131,7 @@ void make_nodes(const NodesOptions& options) {
     source.boxes =
         read_boxes(options.boxes, images, {source.classes, catalog, camera.width, camera.height});
   }
-  NodesCheckpoint checkpoint(options.out, text_of(options));
+  NodesCheckpoint checkpoint(options.out, text_of(options), catalog);
   const DetectedNodes detected =
       detect_nodes(sequence.frames, source, options.depth_scale, camera, checkpoint);
   const NodesTally tally(detected.table, camera, catalog);
@@ -157,7 +160,9 @@ void add_nodes_command(CLI::App& app) {
   detector.add_option("--boxes", options->boxes,
                       "Boxes of another detector: a folder of YOLO text files, or COCO's JSON");
   detector.require_option(1);
-  command.add_option("--names", options->names, "Classes of the network, one a line [COCO's 80]");
+  command.add_option("--names", options->names,
+                     "The classes that the network knows, one a line [all, in their order]");
+  add_classes_option(command, options->classes);
   command.add_option("--out", options->out, "Table to write: OUT.frames.csv and OUT.nodes.csv")
       ->required();
   add_camera_option(command, "--camera", options->camera,

@@ -114,7 +114,7 @@ std::string times_text(const QueryTimes& ms) {
 }
 
 std::string to_json(const RecognitionRun& run) {
-  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  const topobag::ClassCatalog& catalog = run.classes.catalog;
   const RunSummary summary = summarize(run);
   Json json{{"keyframes", run.queries.size()},
             {"map_keyframes", run.map.size()},
@@ -173,7 +173,7 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
 }
 
 std::string to_lines(const RecognitionRun& run) {
-  const topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  const topobag::ClassCatalog& catalog = run.classes.catalog;
   std::ostringstream out;
   out << std::fixed;
   for (std::size_t i = 0; i < run.look_ups.size(); ++i) {

@@ -69,6 +69,7 @@ struct RecognitionRun {
   std::vector<LookUp> look_ups;               ///< parallel to `queries`
   std::size_t in_map = 0;                     ///< queries that are key frames of the map itself
   std::optional<CalibratedRun> calibrated{};  ///< where the decision was
+  ObjectClasses classes{};                    ///< of the map's and the queries' objects
 };
 
 /// The name of a table without its folder.

@@ -25,8 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using Bag = topobag::BagOfTopologyGraphs<>;
 
-std::uint64_t class_fingerprint() { return topobag::fingerprint(topobag::ClassCatalog::coco80()); }
-
 /// The numbers of the runs in a bag, ascending.
 std::set<std::uint32_t> sessions_in(const Bag& bag) {
   std::set<std::uint32_t> sessions;
@@ -36,17 +34,18 @@ std::set<std::uint32_t> sessions_in(const Bag& bag) {
   return sessions;
 }
 
-SavedMap read_snapshot(const std::string& path) {
+SavedMap read_snapshot(const std::string& path, const topobag::ClassCatalog& catalog) {
   const topobag::SnapshotHeader header = topobag::inspect(path);
   SavedMap saved{"snapshot, format " + std::to_string(header.format_version),
                  {},
-                 topobag::load<Bag>(path, class_fingerprint())};
+                 topobag::load<Bag>(path, topobag::fingerprint(catalog))};
   for (const std::uint32_t session : sessions_in(saved.bag))
     saved.sessions.push_back({session, ""});
   return saved;
 }
 
-void extend_snapshot(const std::string& path, Bag bag, const Bag& entries) {
+void extend_snapshot(const std::string& path, Bag bag, const Bag& entries,
+                     const topobag::ClassCatalog& catalog) {
   const std::set<std::uint32_t> sessions = sessions_in(bag);
   const std::uint32_t session = topobag::next_session(
       sessions.empty() ? std::nullopt : std::optional<std::uint32_t>(*sessions.rbegin()));
@@ -55,7 +54,7 @@ void extend_snapshot(const std::string& path, Bag bag, const Bag& entries) {
     bag.add(id, graph, std::move(info));
   });
   topobag::SaveOptions options;
-  options.catalog_fingerprint = class_fingerprint();
+  options.catalog_fingerprint = topobag::fingerprint(catalog);
   topobag::save(bag, path, options);
 }
 
@@ -121,12 +120,14 @@ bool is_saved_map(const std::string& path) {
   return set_name(path) == path && fs::is_regular_file(path);
 }
 
-SavedMap read_saved_map(const std::string& path) {
-  return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path) : read_snapshot(path);
+SavedMap read_saved_map(const std::string& path, const topobag::ClassCatalog& catalog) {
+  return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path, catalog)
+                                          : read_snapshot(path, catalog);
 }
 
 void write_saved_map(const std::string& path, const std::string& session,
-                     const std::vector<Keyframe>& keyframes, bool append) {
+                     const std::vector<Keyframe>& keyframes, const topobag::ClassCatalog& catalog,
+                     bool append) {
   topobag::require_utf8(session, "--session");
   if (fs::is_directory(path)) throw InputError(path, "it is a folder; name a file in it");
   const topobag::WriterLock lock(path);
@@ -136,13 +137,13 @@ void write_saved_map(const std::string& path, const std::string& session,
   }
   const bool sqlite =
       exists ? kind_of(path) == MapKind::sqlite : fs::path(path).extension() == ".db";
-  Bag bag = exists ? read_saved_map(path).bag : Bag();
+  Bag bag = exists ? read_saved_map(path, catalog).bag : Bag();
   const Bag entries = new_entries(bag, keyframes);
   require_new(path, bag, entries);
   if (sqlite) {
-    extend_sqlite_map(path, session, entries);
+    extend_sqlite_map(path, session, entries, catalog);
   } else {
-    extend_snapshot(path, std::move(bag), entries);
+    extend_snapshot(path, std::move(bag), entries, catalog);
   }
 }
 
@@ -151,7 +152,7 @@ std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& op
   if (!options.trajectory.empty()) {
     throw InputError(map, "it is a saved map, which has its poses: --map-trajectory is for tables");
   }
-  const SavedMap saved = read_saved_map(map);
+  const SavedMap saved = read_saved_map(map, options.classes.catalog);
   std::map<std::uint32_t, SavedSession> sessions;
   for (const SavedSession& session : saved.sessions) sessions[session.id] = session;
   std::map<std::uint32_t, std::uint64_t> first_ids;

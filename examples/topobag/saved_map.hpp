@@ -28,18 +28,22 @@ topobag::BagOfTopologyGraphs<> new_entries(const topobag::BagOfTopologyGraphs<>&
 bool is_saved_map(const std::string& path);
 
 /// Throws InputError for a file that is neither kind of map; topobag::Error for one that is
-/// damaged.
-SavedMap read_saved_map(const std::string& path);
+/// damaged, or was made with other classes than those of `catalog`.
+SavedMap read_saved_map(const std::string& path,
+                        const topobag::ClassCatalog& catalog = topobag::ClassCatalog::coco80());
 
 /// Writes a session, whole or not at all: FILE.db becomes an SQLite map, any other name a snapshot;
 /// a map that is there stays what it is and has to be asked for with `append`. Who writes to the
-/// same map meanwhile waits. Throws InputError and topobag::Error.
+/// same map meanwhile waits.
+/// @param catalog  of the key frames' objects, which the map keeps: it is read with no other
+/// Throws InputError and topobag::Error.
 void write_saved_map(const std::string& path, const std::string& session,
-                     const std::vector<Keyframe>& keyframes, bool append);
+                     const std::vector<Keyframe>& keyframes, const topobag::ClassCatalog& catalog,
+                     bool append);
 
 /// The key frames of a map: of a file, or, as `read_keyframes` makes them, of a table; never none.
 /// Those of a file are numbered within their session, whose ids begin after the last one's before.
-/// Throws InputError, and topobag::Error for a file that is damaged.
+/// Throws InputError, and topobag::Error for a file that is damaged or of other classes.
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options);
 
 }  // namespace program

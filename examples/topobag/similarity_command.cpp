@@ -156,6 +156,7 @@ void add_similarity_command(CLI::App& app) {
                     "Intrinsics fx,fy,cx,cy[,width,height], px")
       ->required();
   add_image_size_option(command, arguments->image_size);
+  add_classes_option(command, arguments->keyframes.classes);
   command
       .add_option("--min-confidence", arguments->keyframes.min_confidence,
                   "Least score of a detection")

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/types/class_catalog.hpp>
 
 #include "saved_map.hpp"
 
@@ -11,10 +12,11 @@ namespace program {
 
 /// Reads an SQLite map and leaves it untouched. Throws topobag::Error, and InputError where the
 /// program was built without SQLite; so does the next.
-SavedMap read_sqlite_map(const std::string& path);
+SavedMap read_sqlite_map(const std::string& path, const topobag::ClassCatalog& catalog);
 
 /// Adds a session to an SQLite map, which is made where there is none: whole, or not at all.
 void extend_sqlite_map(const std::string& path, const std::string& session,
-                       const topobag::BagOfTopologyGraphs<>& entries);
+                       const topobag::BagOfTopologyGraphs<>& entries,
+                       const topobag::ClassCatalog& catalog);
 
 }  // namespace program

@@ -44,6 +44,22 @@ TEST_CASE("COCO results go by COCO's own numbers", "[examples]") {
   CHECK(images[1].boxes[0].label == coco_classes.at("toothbrush"));
 }
 
+TEST_CASE("results of other classes go by the catalog's numbers", "[examples]") {
+  topobag::ClassCatalog own;
+  own.add(topobag::ClassId{0}, "forklift", topobag::Dynamics::high);
+  own.add(topobag::ClassId{1}, "tote", topobag::Dynamics::medium);
+  const ScratchFolder folder;
+  const std::string known = folder.write("known.json", result("1", "[0, 0, 9, 9]"));
+  CHECK(read_coco(known, own).at(0).boxes.at(0).label == own.at("tote"));
+  for (const std::string category : {"2", "-1", "4294967296", "0.5", "null"}) {
+    const std::string odd = folder.write("odd.json", result(category, "[0, 0, 9, 9]"));
+    CHECK(error_in(folder, [&] { read_coco(odd, own); }) ==
+          "odd.json, entry 1: category " + category +
+              " is the number of no class, from 0 to 1; number them so, or give a data set that "
+              "lists its categories by name");
+  }
+}
+
 TEST_CASE("a COCO category that is no whole number of an int is refused",
           "[examples][regression]") {
   for (const std::string category :

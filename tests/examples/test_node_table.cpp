@@ -127,6 +127,19 @@ TEST_CASE("bad nodes are refused with file and line", "[examples]") {
         "s.nodes.csv:2: z has to be positive, or 0 where it is not known");
 }
 
+TEST_CASE("numbers stand for classes where a table has no names", "[examples]") {
+  const std::string header = "idx,class_id,conf,u,v,w,h,z\n";
+  const NodeTable table = read(one_frame, header + "0,62,0.9,1,1,1,1,1\n");
+  CHECK(table.frames.at(0).detections.at(0).label == topobag::ClassId{62});
+  for (const std::string number : {"80", "-1", "4294967296"}) {
+    CHECK(error_of(one_frame, header + "0," + number + ",0.9,1,1,1,1,1\n") ==
+          "s.nodes.csv:2: class_id " + number +
+              " is the number of no class; give the table's classes by --classes");
+  }
+  CHECK(error_of(one_frame, "idx,conf,u,v,w,h,z\n").find("there is no column 'class'") !=
+        std::string::npos);
+}
+
 TEST_CASE("a missing half of a table is named", "[examples]") {
   const ScratchFolder folder;
   CHECK(error_in(folder, [&] { read_node_table(folder.path("s")); }) ==

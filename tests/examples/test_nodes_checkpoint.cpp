@@ -13,6 +13,8 @@ using program::NodesCheckpoint;
 const std::vector<program::RgbdFrame> images{{1.0 / 3.0, "rgb/1.png", "", {}},
                                              {2.0 / 3.0, "rgb/2.png", "", {}}};
 
+const topobag::ClassCatalog checkpoint_classes = topobag::ClassCatalog::coco80();
+
 /// The first image, with one detection, and two boxes outside of it.
 program::DetectedNodes first_image() {
   program::DetectedNodes detected;
@@ -33,7 +35,7 @@ TEST_CASE("a run of nodes goes on from what an earlier one kept", "[examples]") 
   const ScratchFolder folder;
   const std::string set = folder.path("set");
   CHECK(NodesCheckpoint(set, "a").earlier(images).table.frames.empty());
-  NodesCheckpoint now(set, "a", std::chrono::seconds(0));
+  NodesCheckpoint now(set, "a", checkpoint_classes, std::chrono::seconds(0));
   now.keep(first_image());
   const auto kept = NodesCheckpoint(set, "a").earlier(images);
   REQUIRE(kept.table.frames.size() == 1);
@@ -46,7 +48,7 @@ TEST_CASE("a run of nodes goes on from what an earlier one kept", "[examples]") 
 
 TEST_CASE("the table so far is kept when it is time to", "[examples]") {
   const ScratchFolder folder;
-  NodesCheckpoint(folder.path("set"), "a", std::chrono::hours(1)).keep(first_image());
+  NodesCheckpoint(folder.path("set"), "a", checkpoint_classes, std::chrono::hours(1)).keep(first_image());
   CHECK(std::filesystem::is_empty(folder.path()));
 }
 
@@ -56,7 +58,7 @@ TEST_CASE("what other options or images made, or is not whole, is no beginning",
   const auto rows = [&](const std::string& made_with, const std::vector<program::RgbdFrame>& of) {
     return NodesCheckpoint(set, made_with).earlier(of).table.frames.size();
   };
-  NodesCheckpoint(set, "a", std::chrono::seconds(0)).keep(first_image());
+  NodesCheckpoint(set, "a", checkpoint_classes, std::chrono::seconds(0)).keep(first_image());
   CHECK(rows("a", images) == 1);
   CHECK(rows("b", images) == 0);
   CHECK(rows("a", {}) == 0);

@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-topobag::SqliteOptions sqlite_options(bool read_only) {
+topobag::SqliteOptions sqlite_options(bool read_only, const topobag::ClassCatalog& catalog) {
   topobag::SqliteOptions options;
   options.read_only = read_only;
-  options.catalog = topobag::ClassCatalog::coco80();
+  options.catalog = catalog;
   return options;
 }
 
@@ -32,8 +32,8 @@ struct UnfinishedFile {
 
 }  // namespace
 
-SavedMap read_sqlite_map(const std::string& path) {
-  const topobag::SqliteBag<> map(path, sqlite_options(true));
+SavedMap read_sqlite_map(const std::string& path, const topobag::ClassCatalog& catalog) {
+  const topobag::SqliteBag<> map(path, sqlite_options(true, catalog));
   SavedMap saved{
       "SQLite map, schema " + std::to_string(topobag::sqlite_schema_version), {}, map.bag()};
   for (const topobag::MapSession& session : map.sessions()) {
@@ -43,11 +43,12 @@ SavedMap read_sqlite_map(const std::string& path) {
 }
 
 void extend_sqlite_map(const std::string& path, const std::string& session,
-                       const topobag::BagOfTopologyGraphs<>& entries) {
+                       const topobag::BagOfTopologyGraphs<>& entries,
+                       const topobag::ClassCatalog& catalog) {
   const bool exists = fs::exists(path);
   const UnfinishedFile unfinished{path + ".part-" + std::to_string(::getpid())};
   {
-    topobag::SqliteBag<> map(exists ? path : unfinished.path, sqlite_options(false));
+    topobag::SqliteBag<> map(exists ? path : unfinished.path, sqlite_options(false, catalog));
     map.add_session(session, entries);
   }
   if (!exists) fs::rename(unfinished.path, path);  // closed, it is one file

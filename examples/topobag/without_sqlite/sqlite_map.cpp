@@ -12,10 +12,10 @@ namespace {
 
 }  // namespace
 
-SavedMap read_sqlite_map(const std::string& path) { refuse(path); }
+SavedMap read_sqlite_map(const std::string& path, const topobag::ClassCatalog&) { refuse(path); }
 
 void extend_sqlite_map(const std::string& path, const std::string&,
-                       const topobag::BagOfTopologyGraphs<>&) {
+                       const topobag::BagOfTopologyGraphs<>&, const topobag::ClassCatalog&) {
   refuse(path);
 }
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "object_classes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "csv_reader.hpp"
+#include "input_error.hpp"
+
+namespace program {
+namespace {
+
+/// The parts of a text between separators, without the blanks around them; at least one.
+std::vector<std::string> parts_of(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.emplace_back(topobag::trimmed(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// Calls `read(lines, fields)` for the three fields of each line; those left out are empty.
+template <typename Read>
+void read_class_lines(const std::string& path, const std::string& text, const Read& read) {
+  std::istringstream stream(text);
+  topobag::TextLines lines(stream, path);
+  for (std::string_view line; lines.next(line);) {
+    std::vector<std::string> fields = parts_of(line, ',');
+    if (fields.size() > 3) throw lines.error("a line is: name[, dynamics[, look-alikes]]");
+    fields.resize(3);
+    read(lines, fields);
+  }
+}
+
+topobag::Dynamics dynamics_of(const topobag::TextLines& lines, const std::string& text) {
+  if (text.empty() || text == "low") return topobag::Dynamics::low;
+  if (text == "medium") return topobag::Dynamics::medium;
+  if (text == "high") return topobag::Dynamics::high;
+  throw lines.error("the dynamics '" + text + "' are none of low, medium and high");
+}
+
+void add_class(const topobag::TextLines& lines, const std::vector<std::string>& fields,
+               topobag::ClassCatalog& catalog) {
+  const std::string& name = fields[0];
+  if (const auto known = catalog.find(name)) {
+    throw lines.error("'" + name + "' is class " + std::to_string(topobag::value(*known)) +
+                      " already; give each class a name of its own");
+  }
+  const topobag::ClassId id{static_cast<int>(catalog.size())};
+  const topobag::Dynamics dynamics = dynamics_of(lines, fields[1]);
+  lines.located([&] { catalog.add(id, name, dynamics); });
+}
+
+}  // namespace
+
+ObjectClasses read_object_classes(const std::string& path) {
+  const std::string text = read_file(path);
+  ObjectClasses classes{topobag::ClassCatalog(), topobag::ClassGroups()};
+  read_class_lines(path, text, [&](const topobag::TextLines& lines, const auto& fields) {
+    add_class(lines, fields, classes.catalog);
+  });
+  if (classes.catalog.size() == 0) throw InputError(path, "there is no class in the file");
+  read_class_lines(path, text, [&](const topobag::TextLines& lines, const auto& fields) {
+    if (fields[2].empty()) return;
+    const topobag::ClassId id = classes.catalog.at(fields[0]);
+    for (const std::string& other : parts_of(fields[2], '|')) {
+      lines.located([&] { classes.lookalikes.join(id, classes.catalog.at(other)); });
+    }
+  });
+  return classes;
+}
+
+void add_classes_option(CLI::App& command, ObjectClasses& classes) {
+  command.add_option_function<std::string>(
+      "--classes", [&classes](const std::string& path) { classes = read_object_classes(path); },
+      "File of your detector's classes, one a line: name, dynamics (low, medium or high), "
+      "look-alikes (between |); a map goes with the classes that it was made with [COCO's 80]");
+}
+
+topobag::RecognitionOptions recognition_options_for(const ObjectClasses& classes) {
+  topobag::RecognitionOptions options = topobag::recognition_options(classes.catalog);
+  options.matching.consistency.classes = classes.lookalikes;
+  return options;
+}
+
+}  // namespace program

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <topobag/matching/class_groups.hpp>
+#include <topobag/recognition/recognition_options.hpp>
+#include <topobag/types/class_catalog.hpp>
+
+namespace program {
+
+/// What the class numbers of a detector mean, and which classes it takes for one another: COCO's
+/// 80, or the user's own.
+struct ObjectClasses {
+  topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
+  topobag::ClassGroups lookalikes = topobag::lookalike_classes(catalog);
+};
+
+/// Reads classes of the user's own, one a line:
+///
+///     # name, dynamics, look-alikes
+///     forklift, high
+///     pallet, low, pallet with load | box
+///     pallet with load
+///     box, medium
+///
+/// A class has the number of its line among these, from 0. Dynamics are low (as where they are left
+/// out), medium or high; look-alikes are names of the file's classes between bars, said by either
+/// of the two. Blank lines and `#` comment lines do not count. Throws topobag::Error with the file
+/// and the line.
+ObjectClasses read_object_classes(const std::string& path);
+
+/// Adds `--classes FILE`, which fills `classes`. Parsing throws topobag::Error.
+void add_classes_option(CLI::App& command, ObjectClasses& classes);
+
+/// The library's defaults for objects of these classes: what they take for one another, and no
+/// others, may be one object.
+topobag::RecognitionOptions recognition_options_for(const ObjectClasses& classes);
+
+}  // namespace program
