@@ -48,10 +48,10 @@ std::size_t holding(const std::map<KeyframeId, Placed>& entries, const ClassCoun
     }
   }
   std::size_t found = 0;
-  for (const auto& [cell, held] : places) {
+  for (const auto& place : places) {
     const bool all = std::all_of(objects.begin(), objects.end(), [&](const auto& asked) {
       std::size_t of_group = 0;
-      for (const auto& [label, count] : held) {
+      for (const auto& [label, count] : place.second) {
         if (groups.compatible(label, asked.first)) of_group += count;
       }
       return of_group >= asked.second;

@@ -167,7 +167,7 @@ TEST_CASE("bad input ends localize with one line that names file and line", "[ex
   CHECK(EditedSample(".nodes.csv", 4, "0,63,lap,0.5,320,170,210,200,1.1" + no_looks)
             .refusal()
             .find("s.nodes.csv:4: unknown class 'lap'") == 0);
-  CHECK(EditedSample(".nodes.csv", 1, "idx,class_id,kind,conf,u,v,w,h,z")
+  CHECK(EditedSample(".nodes.csv", 1, "idx,number,kind,conf,u,v,w,h,z")
             .refusal()
             .find("s.nodes.csv:1: there is no column 'class'") == 0);
   CHECK(EditedSample(".frames.csv", 5, "3,a.png,1305031230.7,,,,,,,").refusal() ==

@@ -42,6 +42,8 @@ TEST_CASE("without associations the nearest depth within 20 ms is taken", "[exam
 TEST_CASE("a broken list of images is refused with file and line", "[examples]") {
   const ScratchFolder folder;
   const auto error = [&] { return error_in(folder, [&] { read_tum_sequence(folder.path("")); }); };
+  CHECK(error().find(": it is no sequence in the TUM RGB-D layout") == 0);
+  folder.write("rgb.txt", "1.0 rgb/a.png\n");
   CHECK(error() == "depth.txt: the file cannot be opened; check the path");
   folder.write("associations.txt", "#\n1.0 rgb/a.png\n");
   CHECK(error() == "associations.txt:2: the line does not hold 2 times 'timestamp file'");

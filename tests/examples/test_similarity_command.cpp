@@ -27,7 +27,7 @@ TEST_CASE("similarity compares frames with the first", "[examples]") {
 TEST_CASE("the published values stand beside the paper's frames alone", "[examples]") {
   const std::string options = " --camera 517.3,516.5,318.6,255.3";
   CHECK(refusal("similarity --nodes " + sample_map + options) ==
-        sample_map + ".frames.csv: there is no frame idx 196");
+        sample_map + ".frames.csv: there is no frame idx 196; name others by --frames");
   const ScratchFolder folder;
   std::string frames = "idx,frame,timestamp\n";
   for (int i = 0; i < 200; ++i) frames += std::to_string(i) + ",a," + std::to_string(i) + "\n";

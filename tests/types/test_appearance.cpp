@@ -92,7 +92,7 @@ TEST_CASE("what is no descriptor is refused", "[types][appearance]") {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     CHECK(said(Eigen::Vector3d(1, x, 0)) == "a descriptor holds a number that is not finite");
   }
-  for (const std::size_t length : {0, 65, 256, 257}) {
+  for (const std::size_t length : {0U, 65U, 256U, 257U}) {
     CHECK(error_text([&] { AppearanceKind("odd", length); }) ==
           "a descriptor of " + std::to_string(length) + " numbers; an appearance holds 1 to 64");
   }

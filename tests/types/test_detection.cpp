@@ -24,6 +24,11 @@ struct HeldLabel {
   topobag::ClassId label{};
 };
 
+struct NamedBox {
+  ForeignBox box;
+  float look[2];
+};
+
 }  // namespace
 
 template <>
@@ -52,11 +57,6 @@ struct topobag::detection_traits<HeldLabel> {
   static BoundingBox box(const HeldLabel&) { return {}; }
   static const ClassId& label(const HeldLabel& d) { return d.label; }
   static double confidence(const HeldLabel&) { return 1.0; }
-};
-
-struct NamedBox {
-  ForeignBox box;
-  float look[2];
 };
 
 template <>
