@@ -30,7 +30,7 @@ struct MapRegion {
 /// A visit that goes on: a session, from a time on. Clocks are compared within a session alone, for
 /// another may have started its clock anew.
 struct PresentVisit {
-  std::uint32_t session = 0;
+  std::uint32_t session = 0;  ///< the present one
   double since = 0.0;  ///< s; what the session holds up to then is an earlier visit
 
   /// Whether an entry belongs to it: of its session, and not known to be earlier.

@@ -39,8 +39,9 @@ class PlaceContents {
   /// A place holds both classes now, and did not before. O(class pairs).
   void add(ClassId a, ClassId b) { change({std::minmax(a, b), 1}, 1); }
 
-  /// Undo the same. Precondition: it was added.
+  /// Undoes the same. Precondition: it was added.
   void remove(ClassId label, std::size_t count) { change({{label, label}, count}, -1); }
+  /// Undoes that of two classes.
   void remove(ClassId a, ClassId b) { change({std::minmax(a, b), 1}, -1); }
 
   void clear() noexcept {

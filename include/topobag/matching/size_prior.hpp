@@ -35,6 +35,7 @@ struct SizePrior {
   SizeSpread spread;        ///< of classes of which nothing is known: most things that are made
   std::map<ClassId, SizeSpread> classes;  ///< of the others (`learn_sizes.hpp`)
 
+  /// Of a class. O(log classes).
   const SizeSpread& of(ClassId label) const {
     const auto known = classes.find(label);
     return known == classes.end() ? spread : known->second;
@@ -44,6 +45,7 @@ struct SizePrior {
 /// Adds up what the sizes of the matched pairs of a pose say.
 class SizeEvidence {
  public:
+  /// Of no pair yet. @param prior  referred to; it has to stay
   explicit SizeEvidence(const SizePrior& prior) : prior_(prior) {}
 
   /// log10 P(ratios of the two widths and heights | one object) / P(ratios | two objects of places

@@ -47,9 +47,11 @@ class AppearanceKind {
   /// Numbers in a descriptor; 0 = no descriptor.
   constexpr std::size_t length() const noexcept { return length_; }
 
+  /// Whether descriptors of both may be compared.
   friend constexpr bool operator==(AppearanceKind a, AppearanceKind b) noexcept {
     return a.number_ == b.number_ && a.length_ == b.length_;
   }
+  /// Whether they may not.
   friend constexpr bool operator!=(AppearanceKind a, AppearanceKind b) noexcept {
     return !(a == b);
   }

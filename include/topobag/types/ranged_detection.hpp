@@ -29,6 +29,7 @@ struct detection_traits<RangedDetection> {
   static std::optional<double> depth(const RangedDetection& d) {
     return d.z > 0.0 ? std::optional<double>(d.z) : std::nullopt;
   }
+  /// What the object looks like, where that is known.
   static const Appearance& appearance(const RangedDetection& d) { return d.appearance; }
 };
 
