@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <topobag/bag/detail/camera_grid.hpp>
+#include <topobag/bag/detail/entry_key.hpp>
 #include <topobag/bag/detail/histogram_index.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
@@ -152,9 +153,6 @@ class BagOfTopologyGraphs {
  private:
   static constexpr bool precomputed = has_descriptor_v<Similarity, Graph>;
   static constexpr bool indexed = is_jaccard_v<Similarity>;
-  struct Nothing {
-    void clear() noexcept {}
-  };
 
   template <typename Key>
   std::vector<Candidate> compare_all(const Key& key, const QueryOptions& options) const {
@@ -179,24 +177,10 @@ class BagOfTopologyGraphs {
     }
   }
 
-  /// What an entry keeps to be compared: its slot in the index, a descriptor, or nothing.
-  template <typename S, bool = precomputed, bool = indexed>
-  struct KeyOf {
-    using type = Nothing;
-  };
-  template <typename S>
-  struct KeyOf<S, true, false> {
-    using type = descriptor_t<S, Graph>;
-  };
-  template <typename S>
-  struct KeyOf<S, true, true> {
-    using type = std::size_t;
-  };
-
   struct Entry {
     Graph graph;
     EntryInfo info;
-    typename KeyOf<Similarity>::type key;
+    typename detail::EntryKey<Similarity, Graph>::type key;
   };
 
   AppearanceKind kind_with([[maybe_unused]] const Graph& graph) const {
@@ -246,7 +230,7 @@ class BagOfTopologyGraphs {
   PlaceCount places_;
   detail::CameraGrid cameras_;
   AppearanceKind appearance_kind_;
-  std::conditional_t<indexed, detail::HistogramIndex, Nothing> index_;
+  std::conditional_t<indexed, detail::HistogramIndex, detail::Nothing> index_;
 };
 
 }  // namespace v0

@@ -26,7 +26,7 @@ struct DecisionOptions {
   double false_accept_rate = 1e-3;  ///< share of look-ups of places that the map does not hold
   double min_lead = 1.0;            ///< in support, over every pose that puts the query elsewhere
   double lead_deviations = 3.0;  ///< σ of the noise of both, more, over a place believable by itself
-  double rival_support = 1.0;    ///< from which another place is that, in full
+  double rival_support = 1.0;    ///< positive; from which another place is that, in full
   std::size_t more_places = 5;  ///< that are taken to hold such objects, of all: a map of few places
                                 ///< does not tell what is rare
   double surplus = 1.25;  ///< decades by which 10^−score exceeds the rate of chance, as measured
