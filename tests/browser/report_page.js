@@ -58,12 +58,16 @@ try {
   // The numbers: in the page, and to keep.
   await page.locator('summary').first().click();
   await page.locator('details[open] td').first().waitFor({ timeout: 5000 });
-  for (const [link, start] of [['figure a.download', /^\w+(,\w+)+\n/], ['header a.download', /^{"title"/]]) {
+  const downloaded = async (link) => {
     const [download] = await Promise.all([
       page.waitForEvent('download'), page.locator(link).first().click(),
     ]);
-    assert.match(await readFile(await download.path(), 'utf8'), start);
-  }
+    return readFile(await download.path(), 'utf8');
+  };
+  assert.match(await downloaded('figure a.download'), /^\w+(,\w+)+\n/);
+  const json = JSON.parse(await downloaded('header a.download'));
+  assert.equal(json.title, await page.locator('h1').textContent());
+  assert.ok(Object.keys(json.figures).length > 0);
 
   // Light and dark.
   const look = async (colorScheme) => {
