@@ -12,7 +12,9 @@
 #include <topobag/matching/point_pair.hpp>
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/explanation.hpp>
-#include <topobag/recognition/relocalizer.hpp>
+#include <topobag/recognition/detail/pose_rivals.hpp>
+#include <topobag/recognition/recognition.hpp>
+#include <topobag/recognition/recognition_options.hpp>
 #include <topobag/types/class_catalog.hpp>
 
 namespace topobag {
@@ -155,6 +157,12 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   }
   return explanation;
 }
+
+#ifdef TOPOBAG_COMPILED  // it is in the library topobag::compiled
+extern template CandidateExplanation explain_candidate(
+    const CandidateReport&, const TopologyGraph<double>&, const TopologyGraph<double>&,
+    const ClassCatalog&, const RecognitionOptions&, std::optional<double>);
+#endif
 
 /// Why `query` was or was not recognised: for every candidate the stages it passed and failed, with
 /// numbers and objects by name.
