@@ -3,41 +3,28 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <topobag/adaptors/detail/sqlite_catalog.hpp>
-#include <topobag/adaptors/detail/sqlite_connection.hpp>
-#include <topobag/adaptors/detail/sqlite_row.hpp>
-#include <topobag/adaptors/detail/sqlite_schema.hpp>
-#include <topobag/adaptors/detail/sqlite_session.hpp>
-#include <topobag/adaptors/detail/sqlite_statement.hpp>
+#include <topobag/adaptors/detail/sqlite_file.hpp>
+#include <topobag/adaptors/sqlite_options.hpp>
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/bag/camera_poses.hpp>
+#include <topobag/bag/detail/free_ids.hpp>
+#include <topobag/bag/detail/reads_from_memory.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
+#include <topobag/bag/merge_options.hpp>
 #include <topobag/error.hpp>
 #include <topobag/types/appearance.hpp>
-#include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// How a map is opened.
-struct SqliteOptions {
-  bool read_only = false;                 ///< to localize: the file is not touched
-  ViewSection views = ViewSection::kept;  ///< whether views are written
-  std::optional<ClassCatalog> catalog;    ///< has to be the one that the map was made with
-};
-
-/// One run of the robot.
-struct MapSession {
-  std::uint32_t id = 0;  ///< as in `EntryInfo::session`
-  std::string name;      ///< the user's own
-};
 
 /// A bag whose every change is in an SQLite file before the call returns: the map of a robot that
 /// may lose power at any moment. Opened again, it is as it was; what was being written is there
@@ -46,13 +33,17 @@ struct MapSession {
 ///     SqliteBag<> map("flat.db");
 ///     const std::uint32_t today = map.begin_session("Monday");
 ///     map.add(id, graph, info);                  // info.session = today
-///     map.bag().query(graph);
+///     LoopDetector loops(map);                   // or a Relocalizer: neither copies the map
 ///
-/// The bag holds graphs as the file does, that is, after `encode` and `decode`. One process writes,
+/// It is a bag as every other is, and holds graphs as the file does, that is, after `encode` and
+/// `decode`. Reading asks a bag in memory: with `SqliteBag<IndexedBag>`, one thread may add while
+/// others localize. One process writes,
 /// others may read at the same time, each what there was when it opened the file. Every error
 /// begins with the file's name. (Tables: `examples/docs/format.md`.)
 template <typename Bag_ = BagOfTopologyGraphs<>>
-class SqliteBag {
+class SqliteBag : public detail::ReadsFromMemory<Bag_> {
+  using Memory = detail::ReadsFromMemory<Bag_>;
+  using Memory::bag_;
   static_assert(is_durable_bag_v<Bag_>,
                 "topobag: a bag over SQLite has Graph = TopologyGraph<Scalar>, "
                 "contains(KeyframeId) const, add(KeyframeId, "
@@ -67,22 +58,16 @@ class SqliteBag {
   /// Throws Error when the file cannot be opened, FormatError when it is damaged, no map, of a
   /// later version, or made with other classes. O(n · add).
   explicit SqliteBag(const std::string& path, SqliteOptions options = {}, Bag empty = Bag{})
-      : options_(std::move(options)),
-        connection_(path, options_.read_only),
-        bag_(std::move(empty)) {
-    detail::prepare_schema(connection_, options_.read_only);
-    if (!options_.read_only)
-      connection_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
-    if (options_.catalog) {
-      detail::agree_on_catalog(connection_, *options_.catalog, options_.read_only);
-    }
-    read_entries();
+      : Memory(std::move(empty)), file_(path, std::move(options)) {
+    file_.for_each([this](detail::EntryRecord entry) {
+      Graph graph = decode<typename Graph::Scalar>(entry.graph);
+      appearance_kind_ = kind_with(appearance_kind_, graph);
+      bag_.add(entry.id, std::move(graph), std::move(entry.info));
+    });
   }
 
-  /// What to query.
-  const Bag& bag() const noexcept { return bag_; }
   /// The file's.
-  const std::string& path() const noexcept { return connection_.path(); }
+  const std::string& path() const noexcept { return file_.path(); }
 
   /// Adds a key frame. Throws InvalidId if `id` is there already, InvalidValue as `encode` and the
   /// bag do, Error when the file cannot take it; then nothing has changed. Some milliseconds.
@@ -90,7 +75,7 @@ class SqliteBag {
     require_new(id);
     Row row = row_of(id, graph, info);
     const AppearanceKind kind = kind_with(appearance_kind_, graph);
-    change([&] { put(detail::sqlite_insert, row); });
+    file_.change([&] { file_.insert(row.entry, row.graph); });
     appearance_kind_ = kind;
     bag_.add(id, std::move(row.graph), as_read(row.entry.info));
   }
@@ -102,25 +87,17 @@ class SqliteBag {
   /// Throws as `begin_session` and `add`.
   template <typename Run>
   std::uint32_t add_session(const std::string& name, const Run& run) {
-    std::vector<Row> rows;
-    AppearanceKind kind = appearance_kind_;
-    run.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
-      require_new(id);
-      kind = kind_with(kind, graph);
-      rows.push_back(row_of(id, graph, info));
-    });
+    Rows rows = rows_of(run, [](const EntryInfo& info) { return info; });
+    for (const Row& row : rows.all) require_new(row.entry.id);
     std::uint32_t session = 0;
-    change([&] {
-      session = detail::note_session(connection_, name);
-      for (Row& row : rows) {
+    file_.change([&] {
+      session = detail::note_session(file_.connection(), name);
+      for (Row& row : rows.all) {
         row.entry.info.session = session;
-        put(detail::sqlite_insert, row);
+        file_.insert(row.entry, row.graph);
       }
     });
-    appearance_kind_ = kind;
-    for (Row& row : rows) {
-      bag_.add(row.entry.id, std::move(row.graph), as_read(row.entry.info));
-    }
+    take_in(std::move(rows));
     return session;
   }
 
@@ -132,19 +109,48 @@ class SqliteBag {
     }
     Row row = row_of(id, graph, info);
     const AppearanceKind kind = kind_with(appearance_kind_, graph);
-    change([&] { put(detail::sqlite_update, row); });
+    file_.change([&] { file_.update(row.entry, row.graph); });
     appearance_kind_ = kind;
     bag_.update(id, std::move(row.graph), as_read(row.entry.info));
+  }
+
+  /// Moves key frames, as a back end does when it has closed a loop: all of them, or nothing has
+  /// changed. Throws as `require_poses_of` and `add`. No graph is encoded: 500 in milliseconds.
+  void set_poses(const CameraPoses& T_world_camera) {
+    require_poses_of(bag_, T_world_camera, path() + ": ");
+    file_.change([&] {
+      for (const auto& [id, T] : T_world_camera) file_.move(id, T);
+    });
+    CameraPoses moved;
+    for (const auto& [id, T] : T_world_camera) moved.emplace(id, as_read(T));
+    bag_.set_poses(moved);
+  }
+
+  /// Adds all entries of another bag, and the names of its runs where it has them: all, or nothing
+  /// has changed. Ids that are free are kept; the others become the numbers after the greatest of
+  /// both, in their order. Returns where each id went. Throws as `MergeOptions` and `add`.
+  /// @param other  with `for_each` as this one's
+  template <typename Other>
+  std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
+    options.validate();
+    Rows rows = rows_of(other, [&](const EntryInfo& info) { return options.moved(info); });
+    std::set<KeyframeId> theirs;
+    for (const Row& row : rows.all) theirs.insert(row.entry.id);
+    const auto new_ids = detail::free_ids(theirs, file_.ids());
+    for (Row& row : rows.all) row.entry.id = new_ids.at(row.entry.id);
+    const auto sessions = detail::named_sessions(other, 0);
+    file_.change([&] {
+      detail::note_sessions(file_.connection(), sessions, options.session_offset);
+      for (const Row& row : rows.all) file_.insert(row.entry, row.graph);
+    });
+    take_in(std::move(rows));
+    return new_ids;
   }
 
   /// Takes a key frame out; false if it was not there.
   bool erase(KeyframeId id) {
     if (!bag_.contains(id)) return false;
-    change([&] {
-      detail::SqliteStatement(connection_, "DELETE FROM keyframe WHERE id = ?")
-          .bind(detail::sqlite_id(id))
-          .step();
-    });
+    file_.change([&] { file_.erase(id); });
     return bag_.erase(id);
   }
 
@@ -152,42 +158,48 @@ class SqliteBag {
   /// name that is not UTF-8, InvalidId when the numbers are used up.
   std::uint32_t begin_session(const std::string& name) {
     std::uint32_t session = 0;
-    change([&] { session = detail::note_session(connection_, name); });
+    file_.change([&] { session = detail::note_session(file_.connection(), name); });
     return session;
   }
 
   /// By rising id.
-  std::vector<MapSession> sessions() const {
-    std::vector<MapSession> sessions;
-    detail::SqliteStatement rows(connection_, "SELECT id, name FROM session ORDER BY id");
-    while (rows.step()) {
-      sessions.push_back({static_cast<std::uint32_t>(rows.integer(0)), rows.text(1)});
-    }
-    return sessions;
-  }
+  std::vector<MapSession> sessions() const { return detail::noted_sessions(file_.connection()); }
 
  private:
-  /// A transaction that is refused when the file is no longer what the bag holds.
-  template <typename Work>
-  void change(const Work& work) {
-    if (options_.read_only) throw Error(path() + ": the map was opened for reading only");
-    detail::SqliteTransaction transaction(connection_);
-    if (detail::sqlite_number(connection_, "PRAGMA data_version") != data_version_) {
-      throw Error(path() + ": another process has changed the map; open it again");
-    }
-    work();
-    transaction.commit();
-  }
-
   /// What is written of a key frame, and its graph as it will be read.
   struct Row {
     detail::EntryRecord entry;
     Graph graph;
   };
 
+  /// Of many key frames, with the kind of descriptors that the map then has.
+  struct Rows {
+    std::vector<Row> all;
+    AppearanceKind kind;
+  };
+
+  /// @param comes_in  an entry's info as it is to be written
+  template <typename Other, typename ComesIn>
+  Rows rows_of(const Other& other, const ComesIn& comes_in) const {
+    Rows rows{{}, appearance_kind_};
+    other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
+      rows.kind = kind_with(rows.kind, graph);
+      rows.all.push_back(row_of(id, graph, comes_in(info)));
+    });
+    return rows;
+  }
+
+  /// Puts into memory what has been written.
+  void take_in(Rows rows) {
+    appearance_kind_ = rows.kind;
+    for (Row& row : rows.all) {
+      bag_.add(row.entry.id, std::move(row.graph), as_read(row.entry.info));
+    }
+  }
+
   Row row_of(KeyframeId id, const Graph& graph, const EntryInfo& info) const {
     info.validate();
-    Row row{{id, info, encode(graph, options_.views)}, {}};
+    Row row{{id, info, encode(graph, file_.options().views)}, {}};
     row.graph = decode<typename Graph::Scalar>(row.entry.graph);
     return row;
   }
@@ -197,14 +209,13 @@ class SqliteBag {
     return common_kind(known, graph.appearance_kind(), "the key frame");
   }
 
-  /// With the pose as its columns keep it.
-  static EntryInfo as_read(EntryInfo info) {
-    if (auto& T = info.T_world_camera) T = detail::pose_of(detail::pose_columns(T));
-    return info;
+  /// As its columns keep it.
+  static Eigen::Isometry3d as_read(const Eigen::Isometry3d& T) {
+    return detail::pose_of(detail::pose_columns(T));
   }
-
-  void put(const char* sql, const Row& row) {
-    detail::write_row(prepared(sql), row.entry, row.graph, options_.catalog);
+  static EntryInfo as_read(EntryInfo info) {
+    if (info.T_world_camera) info.T_world_camera = as_read(*info.T_world_camera);
+    return info;
   }
 
   void require_new(KeyframeId id) const {
@@ -213,37 +224,8 @@ class SqliteBag {
                     " is in the map already: use update");
   }
 
-  /// The two statements that a mapping run repeats are prepared once.
-  detail::SqliteStatement& prepared(const char* sql) {
-    std::optional<detail::SqliteStatement>& statement =
-        sql == detail::sqlite_insert ? insert_ : update_;
-    if (!statement) statement.emplace(connection_, sql);
-    return *statement;
-  }
-
-  void read_entries() {
-    data_version_ = detail::sqlite_number(connection_, "PRAGMA data_version");
-    detail::SqliteStatement rows(connection_, detail::sqlite_select);
-    while (rows.step()) {
-      try {
-        detail::EntryRecord entry = detail::read_row(rows);
-        Graph graph = decode<typename Graph::Scalar>(entry.graph);
-        appearance_kind_ = kind_with(appearance_kind_, graph);
-        bag_.add(entry.id, std::move(graph), std::move(entry.info));
-      } catch (const Error& error) {
-        throw FormatError(path() + ": key frame " +
-                          std::to_string(static_cast<std::uint64_t>(rows.integer(0))) +
-                          " cannot be read: " + error.what());
-      }
-    }
-  }
-
-  SqliteOptions options_;
-  detail::SqliteConnection connection_;
-  std::optional<detail::SqliteStatement> insert_, update_;
-  std::int64_t data_version_ = 0;
+  detail::SqliteFile file_;
   AppearanceKind appearance_kind_;  ///< of all descriptors in the file
-  Bag bag_;
 };
 
 }  // namespace v0

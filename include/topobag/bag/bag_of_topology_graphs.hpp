@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -11,12 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include <topobag/bag/detail/camera_grid.hpp>
+#include <topobag/bag/camera_poses.hpp>
+#include <topobag/bag/detail/compare_all.hpp>
 #include <topobag/bag/detail/entry_key.hpp>
+#include <topobag/bag/detail/entry_places.hpp>
+#include <topobag/bag/detail/free_ids.hpp>
 #include <topobag/bag/detail/histogram_index.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
-#include <topobag/bag/place_count.hpp>
+#include <topobag/bag/merge_options.hpp>
 #include <topobag/bag/query.hpp>
 #include <topobag/bag/savable_graph.hpp>
 #include <topobag/error.hpp>
@@ -55,9 +57,7 @@ class BagOfTopologyGraphs {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
-    const AppearanceKind kind = kind_with(graph);
-    auto entry = make_entry(std::move(graph), std::move(info));
-    appearance_kind_ = kind;
+    auto entry = taken_in(std::move(graph), std::move(info));
     place(id, *entries_.emplace(id, std::move(entry)).first->second);
   }
 
@@ -67,12 +67,43 @@ class BagOfTopologyGraphs {
     if (it == entries_.end()) {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
-    const AppearanceKind kind = kind_with(graph);
-    auto entry = make_entry(std::move(graph), std::move(info));
-    appearance_kind_ = kind;
+    auto entry = taken_in(std::move(graph), std::move(info));
     displace(id, *it->second);
     it->second = std::move(entry);
     place(id, *it->second);
+  }
+
+  /// Moves key frames, as a back end does when it has closed a loop; the others stay. Throws as
+  /// `require_poses_of`. O(poses · log n): graphs and index are not touched.
+  void set_poses(const CameraPoses& T_world_camera) {
+    require_poses_of(*this, T_world_camera);
+    for (const auto& [id, T] : T_world_camera) {
+      EntryPointer& entry = entries_.find(id)->second;
+      if (entry.use_count() > 1) entry = std::make_shared<Entry>(*entry);  // for_each keeps the old
+      places_.move(id, entry->info, detail::objects_of(entry->graph), T);
+    }
+  }
+
+  /// Adds all entries of another bag. Ids that are free are kept; the others become the numbers
+  /// after the greatest of both bags, in their order. Returns where each id went. Throws as
+  /// `MergeOptions` and `add`, and InvalidValue when the ids run out. O(n · add).
+  /// @param other  with `for_each` as this one's
+  template <typename Other>
+  std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
+    options.validate();
+    AppearanceKind kind = appearance_kind_;
+    std::map<KeyframeId, EntryPointer> joining;
+    other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
+      kind = kind_with(kind, graph);
+      joining.emplace(id, make_entry(graph, options.moved(info)));
+    });
+    const auto new_ids = detail::free_ids(joining, entries_);
+    appearance_kind_ = kind;
+    for (auto& [id, entry] : joining) {
+      const KeyframeId new_id = new_ids.at(id);
+      place(new_id, *entries_.emplace(new_id, std::move(entry)).first->second);
+    }
+    return new_ids;
   }
 
   /// Takes a key frame out; false if it was not there.
@@ -86,7 +117,6 @@ class BagOfTopologyGraphs {
   void clear() noexcept {
     entries_.clear();
     places_.clear();
-    cameras_.clear();
     index_.clear();
     appearance_kind_ = {};
   }
@@ -95,10 +125,10 @@ class BagOfTopologyGraphs {
   std::size_t size() const noexcept { return entries_.size(); }
   bool empty() const noexcept { return entries_.empty(); }
   /// Different places among the entries. O(1).
-  std::size_t places() const noexcept { return places_.size(); }
+  std::size_t places() const noexcept { return places_.count().size(); }
   /// The most of them that can hold all of `objects`. O(classes²).
   std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
-    return places_.contents().holding(objects, groups, places());
+    return places_.count().contents().holding(objects, groups, places());
   }
 
   /// The one kind of the descriptors that were added; of length 0 where none was.
@@ -106,9 +136,8 @@ class BagOfTopologyGraphs {
 
   /// The key frame's graph, or nothing.
   std::optional<Graph> find(KeyframeId id) const {
-    const auto it = entries_.find(id);
-    if (it == entries_.end()) return std::nullopt;
-    return it->second->graph;
+    const Graph* const graph = peek(id);
+    return graph != nullptr ? std::optional<Graph>(*graph) : std::nullopt;
   }
   /// The same where it is, or null; until the entry is changed or taken out.
   const Graph* peek(KeyframeId id) const {
@@ -127,14 +156,15 @@ class BagOfTopologyGraphs {
   /// call begins, by rising id; f may change the bag. O(n).
   template <typename F>
   void for_each(F&& f) const {
-    const std::vector<std::pair<KeyframeId, std::shared_ptr<Entry>>> now(entries_.begin(),
-                                                                         entries_.end());
+    const std::vector<std::pair<KeyframeId, EntryPointer>> now(entries_.begin(), entries_.end());
     for (const auto& [id, entry] : now) f(id, entry->info, entry->graph);
   }
 
   /// The key frames whose cameras stand in the region, by rising id; without a pose they are
   /// nowhere. O(log n · rows of 3 m cells that it meets + key frames in these).
-  std::vector<KeyframeId> within(const MapRegion& region) const { return cameras_.within(region); }
+  std::vector<KeyframeId> within(const MapRegion& region) const {
+    return places_.cameras().within(region);
+  }
 
   /// The entries most similar to `graph`, best first, ties by id. O(n · similarity). An options'
   /// `filter` need not be asked of an entry that is not among the best anyway.
@@ -146,28 +176,19 @@ class BagOfTopologyGraphs {
         return !restricts || options.admits(id, entries_.find(id)->second->info);
       });
     } else {
-      return compare_all(key, options);
+      return detail::compare_all(entries_, options, [&](const Entry& entry) {
+        if constexpr (precomputed) {
+          return similarity_.similarity(key, entry.key);
+        } else {
+          return similarity_(*key, entry.graph);
+        }
+      });
     }
   }
 
  private:
   static constexpr bool precomputed = has_descriptor_v<Similarity, Graph>;
   static constexpr bool indexed = is_jaccard_v<Similarity>;
-
-  template <typename Key>
-  std::vector<Candidate> compare_all(const Key& key, const QueryOptions& options) const {
-    std::vector<Candidate> found;
-    for (const auto& [id, entry] : entries_) {
-      if (!options.admits(id, entry->info)) continue;
-      const double score = score_of(key, *entry);
-      if (score >= options.min_score) found.push_back({id, score});
-    }
-    const std::size_t kept = std::min(options.max_results, found.size());
-    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept),
-                      found.end());
-    found.resize(kept);
-    return found;
-  }
 
   auto key_of(const Graph& graph) const {
     if constexpr (precomputed) {
@@ -182,16 +203,18 @@ class BagOfTopologyGraphs {
     EntryInfo info;
     typename detail::EntryKey<Similarity, Graph>::type key;
   };
+  using EntryPointer = std::shared_ptr<Entry>;  ///< for_each's stay while it walks
 
-  AppearanceKind kind_with([[maybe_unused]] const Graph& graph) const {
+  static AppearanceKind kind_with([[maybe_unused]] AppearanceKind known,
+                                  [[maybe_unused]] const Graph& graph) {
     if constexpr (detail::is_topology_graph_v<Graph>) {
-      return common_kind(appearance_kind_, graph.appearance_kind(), "the key frame");
+      return common_kind(known, graph.appearance_kind(), "the key frame");
     } else {
       return {};
     }
   }
 
-  std::shared_ptr<Entry> make_entry(Graph graph, EntryInfo info) const {
+  EntryPointer make_entry(Graph graph, EntryInfo info) const {
     info.validate();
     if constexpr (detail::is_topology_graph_v<Graph>) require_savable(graph);
     auto entry = std::make_shared<Entry>(Entry{std::move(graph), std::move(info), {}});
@@ -199,36 +222,27 @@ class BagOfTopologyGraphs {
     return entry;
   }
 
-  static ClassCounts objects_of([[maybe_unused]] const Graph& graph) {
-    if constexpr (detail::is_topology_graph_v<Graph>) return class_counts(graph.nodes());
-    return {};
+  /// The entry, and that its descriptors are of the bag's kind from now on.
+  EntryPointer taken_in(Graph graph, EntryInfo info) {
+    const AppearanceKind kind = kind_with(appearance_kind_, graph);
+    auto entry = make_entry(std::move(graph), std::move(info));
+    appearance_kind_ = kind;
+    return entry;
   }
 
   /// Makes an entry known to everything that finds entries.
   void place(KeyframeId id, Entry& entry) {
-    places_.add(id, entry.info, objects_of(entry.graph));
-    cameras_.add(id, entry.info);
+    places_.add(id, entry.info, detail::objects_of(entry.graph));
     if constexpr (indexed) entry.key = index_.add(id, similarity_.descriptor(entry.graph));
   }
   void displace(KeyframeId id, const Entry& entry) {
-    places_.remove(id, entry.info, objects_of(entry.graph));
-    cameras_.remove(id, entry.info);
+    places_.remove(id, entry.info, detail::objects_of(entry.graph));
     if constexpr (indexed) index_.remove(entry.key, similarity_.descriptor(entry.graph));
   }
 
-  template <typename Key>
-  double score_of(const Key& key, const Entry& entry) const {
-    if constexpr (precomputed) {
-      return similarity_.similarity(key, entry.key);
-    } else {
-      return similarity_(*key, entry.graph);
-    }
-  }
-
   Similarity similarity_;
-  std::map<KeyframeId, std::shared_ptr<Entry>> entries_;  ///< for_each's stay while it walks
-  PlaceCount places_;
-  detail::CameraGrid cameras_;
+  std::map<KeyframeId, EntryPointer> entries_;
+  detail::EntryPlaces places_;
   AppearanceKind appearance_kind_;
   std::conditional_t<indexed, detail::HistogramIndex, detail::Nothing> index_;
 };

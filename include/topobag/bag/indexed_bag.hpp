@@ -8,16 +8,19 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <topobag/bag/bag_view.hpp>
+#include <topobag/bag/camera_poses.hpp>
+#include <topobag/bag/detail/encoded_entry.hpp>
 #include <topobag/bag/detail/free_ids.hpp>
 #include <topobag/bag/detail/part_builder.hpp>
 #include <topobag/bag/detail/part_edits.hpp>
+#include <topobag/bag/detail/present_view.hpp>
 #include <topobag/bag/detail/published_places.hpp>
 #include <topobag/bag/merge_options.hpp>
-#include <topobag/bag/session_number.hpp>
 #include <topobag/error.hpp>
 
 namespace topobag {
@@ -98,6 +101,15 @@ class BasicIndexedBag {
     publish(std::move(next));
   }
 
+  /// Moves key frames, as a back end does when it has closed a loop; the others stay. Throws as
+  /// `require_poses_of`. O(poses · log n + entries of the segments that hold them).
+  void set_poses(const CameraPoses& T_world_camera) {
+    require_poses_of(*this, T_world_camera);
+    detail::BagParts next = detail::with_poses(parts(), T_world_camera);
+    for (const auto& [id, T] : T_world_camera) places_.move(parts(), next, *next.find(id));
+    publish(std::move(next));
+  }
+
   /// Takes a key frame out; false if it was not there. Its room comes back when half of its segment
   /// is gone, and with `compact`.
   bool erase(KeyframeId id) {
@@ -122,26 +134,21 @@ class BasicIndexedBag {
   /// no rigid motion or a pose becomes infinite, for descriptors of another kind, and InvalidId
   /// when the sessions run out. O(n log n).
   std::map<KeyframeId, KeyframeId> merge(const View& other, const MergeOptions& options = {}) {
-    if (options.T_world_other) require_rigid(*options.T_world_other, "T_world_other");
+    options.validate();
     const detail::BagParts& theirs = other.parts_;
     const AppearanceKind kind =
         common_kind(parts().appearance_kind, theirs.appearance_kind, "the other bag");
-    std::map<KeyframeId, KeyframeId> new_ids = detail::free_ids(parts(), theirs);
+    auto new_ids = detail::free_ids(theirs.by_id(), parts().by_id());
     detail::BagParts next = detail::sealed(parts(), *similarity_);
     detail::PartBuilder<Similarity> builder(*similarity_);
     theirs.for_each([&](detail::EntryPlace place) {
       const detail::StoredEntry entry = theirs.entry(place);
-      EntryInfo info = theirs.info(place);
-      info.session = session_after(info.session, options.session_offset);
-      if (options.T_world_other && info.T_world_camera) {
-        info.T_world_camera = *options.T_world_other * *info.T_world_camera;
-      }
-      info.validate();
+      const EntryInfo info = options.moved(theirs.info(place));
       const KeyframeId id = new_ids.at(entry.id);
       if (views_ == ViewSection::kept) {
         builder.add(id, info, entry.graph, entry.graph_size);
       } else {
-        const auto graph = stored(decode(entry.graph, entry.graph_size));
+        const auto graph = detail::stored_bytes(decode(entry.graph, entry.graph_size), views_);
         builder.add(id, info, graph.data(), graph.size() - detail::scan_margin);
       }
     });
@@ -153,6 +160,21 @@ class BasicIndexedBag {
     places_.recount(next);
     publish(std::move(next));
     return new_ids;
+  }
+
+  /// The same for a bag of any kind.
+  /// @param other  with `for_each` as this one's
+  template <typename Other>
+  std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
+    if constexpr (std::is_same_v<detail::PresentView<Other>, View>) {
+      return merge(*detail::present_view(other, 0), options);
+    } else {
+      BasicIndexedBag copy(*similarity_, views_);
+      other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
+        copy.add(id, graph, info);
+      });
+      return merge(*copy.view(), options);
+    }
   }
 
   /// Gives back all room of what is gone and makes the index as good as it gets. O(n).
@@ -209,21 +231,8 @@ class BasicIndexedBag {
     view_.swap(next);  // the old one goes when the lock is free again
   }
 
-  /// The graph's bytes as this bag keeps them, and `scan_margin` more.
-  std::vector<std::uint8_t> stored(const Graph& graph) const {
-    std::vector<std::uint8_t> bytes = encode(graph, views_);
-    bytes.insert(bytes.end(), detail::scan_margin, 0);
-    return bytes;
-  }
-
-  detail::HeadBlock::Entry make_entry(KeyframeId id, const Graph& graph, EntryInfo info) {
-    info.validate();
-    detail::HeadBlock::Entry entry{id, std::move(info), stored(graph), 0.0F};
-    double total = 0.0;
-    similarity_->for_each_vote(scan_(entry.graph.data()),
-                               [&](std::uint64_t, double weight) { total += weight; });
-    entry.total = static_cast<float>(total);
-    return entry;
+  detail::HeadBlock::Entry make_entry(KeyframeId id, const Graph& graph, const EntryInfo& info) {
+    return detail::encoded_entry(id, graph, info, views_, *similarity_, scan_);
   }
 
   std::shared_ptr<const Similarity> similarity_;

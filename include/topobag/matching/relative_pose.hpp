@@ -11,6 +11,7 @@
 
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/missing_objects.hpp>
+#include <topobag/types/pose_with_covariance.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -48,6 +49,10 @@ struct RelativePose {
     solver.computeDirect(rotation, Eigen::EigenvaluesOnly);
     return std::sqrt(std::max(0.0, solver.eigenvalues()(2)));
   }
+
+  /// The pose and its covariance as a type that says how they are to be read: for a factor between
+  /// the two key frames, `as<GtsamPose>()` or `as<G2oPose>()`.
+  PoseWithCovariance<> with_covariance() const { return {T_candidate_query, covariance}; }
 
   /// What the objects say; equal for the poses of a symmetric layout.
   double support() const noexcept { return significance - missing_cost; }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <topobag/bag/bag_concepts.hpp>
@@ -19,24 +21,33 @@ struct LoopOptions {
   RecognitionOptions recognition{};  ///< retrieval, matching and decision
 };
 
-/// Recognises earlier places while a map grows.
+/// Recognises earlier places while a map grows, which is its own, or one that it refers to.
 ///
-///     LoopDetector<> loops;
-///     for (each key frame) if (const Recognition r = loops.detect_and_add(id, stamp, graph))
-///     close(id, r);
+///     SqliteBag<> map("flat.db");
+///     LoopDetector loops(map);  // LoopDetector<> loops; has a map of its own
+///     for (each key frame)
+///       if (const Recognition r = loops.detect_and_add(id, stamp, graph)) close(id, r);
+///
+/// @tparam Bag_  a bag; with `&`, one that lives elsewhere and outlives the detector
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class LoopDetector {
-  static_assert(is_growing_bag_v<Bag_>,
+ public:
+  using Bag = std::remove_reference_t<Bag_>;
+  using Graph = typename Bag::Graph;
+  static_assert(is_growing_bag_v<Bag>,
                 "topobag: a bag that grows has Graph = TopologyGraph<Scalar> and add(KeyframeId, "
                 "Graph, EntryInfo).");
 
- public:
-  using Bag = Bag_;
-  using Graph = typename Bag::Graph;
+  /// `bag`: filled already, or with a similarity of yours; to refer to, where `Bag_` is a
+  /// reference.
+  explicit LoopDetector(LoopOptions options = {}, Bag_ bag = std::decay_t<Bag_>{})
+      : min_gap_(options.min_gap),
+        relocalizer_(std::move(options.recognition), std::forward<Bag_>(bag)) {}
 
-  /// `bag`: filled already, or with a similarity of yours.
-  explicit LoopDetector(LoopOptions options = {}, Bag bag = Bag{})
-      : min_gap_(options.min_gap), relocalizer_(std::move(options.recognition), std::move(bag)) {}
+  /// Refers to `map`.
+  template <typename Map, std::enable_if_t<std::is_same_v<Map&, Bag_>, int> = 0>
+  explicit LoopDetector(Map& map, LoopOptions options = {})
+      : LoopDetector(std::move(options), map) {}
 
   /// The key frames so far.
   const Bag& bag() const noexcept { return relocalizer_.map(); }
@@ -69,6 +80,16 @@ class LoopDetector {
     return recognition;
   }
 
+  /// The pose in the world of the key frame that was recognised: as `Relocalizer`.
+  std::optional<PoseWithCovariance<>> T_world_query(const Recognition& recognition) const {
+    return relocalizer_.T_world_query(recognition);
+  }
+  /// The same from the matched entry's pose and its covariance, as the back end knows them.
+  std::optional<PoseWithCovariance<>> T_world_query(
+      const Recognition& recognition, const PoseWithCovariance<>& T_world_candidate) const {
+    return relocalizer_.T_world_query(recognition, T_world_candidate);
+  }
+
   /// How key frames are recognised.
   const RecognitionOptions& options() const noexcept { return relocalizer_.options(); }
   /// From the next key frame on; a calibration comes in by this. Not while another thread looks up.
@@ -76,8 +97,14 @@ class LoopDetector {
 
  private:
   double min_gap_;
-  Relocalizer<Bag> relocalizer_;
+  Relocalizer<Bag_> relocalizer_;
 };
+
+/// Of a map that lives elsewhere.
+template <typename Bag, std::enable_if_t<is_growing_bag_v<Bag>, int> = 0>
+explicit LoopDetector(Bag&) -> LoopDetector<Bag&>;
+template <typename Bag, std::enable_if_t<is_growing_bag_v<Bag>, int> = 0>
+explicit LoopDetector(Bag&, LoopOptions) -> LoopDetector<Bag&>;
 
 }  // namespace v0
 }  // namespace topobag

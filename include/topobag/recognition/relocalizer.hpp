@@ -1,60 +1,54 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/bag/detail/present_view.hpp>
+#include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
+#include <topobag/types/pose_with_covariance.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
-namespace detail {
-
-/// The bag's view where it has one, else the bag itself.
-template <typename Bag>
-auto present_view(const Bag& bag, int) -> decltype(bag.view()) {
-  return bag.view();
-}
-template <typename Bag>
-const Bag* present_view(const Bag& bag, long) {
-  return &bag;
-}
-
-template <typename Bag>
-using PresentView = std::decay_t<decltype(*present_view(std::declval<const Bag&>(), 0))>;
-
-}  // namespace detail
-
-/// Finds a lost camera in a map. With an `IndexedBag`, one thread may add to the map while others
-/// localize.
+/// Finds a lost camera in a map, which is its own, or one that it refers to. With an `IndexedBag`,
+/// one thread may add to the map while others localize.
 ///
-///     Relocalizer<> relocalizer;
-///     for (each key frame of the map) relocalizer.map().add(id, graph, {stamp, session,
-///     T_world_camera}); if (const Recognition r = relocalizer.localize(query_graph))
-///     use(r.accepted->pose->T_candidate_query);
+///     Relocalizer<> relocalizer;               // with a map of its own
+///     for (each key frame of the map)
+///       relocalizer.map().add(id, graph, {stamp, session, T_world_camera});
+///     if (const Recognition r = relocalizer.localize(query_graph))
+///       use(r.accepted->pose->T_candidate_query);
+///
+///     SqliteBag<> map("flat.db");
+///     Relocalizer lost(map);                   // refers to the map, which has to outlive it
+///
+/// @tparam Bag_  a bag; with `&`, one that lives elsewhere: then a copy refers to the same
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class Relocalizer {
-  static_assert(is_look_up_bag_v<detail::PresentView<Bag_>>,
+ public:
+  using Bag = std::remove_reference_t<Bag_>;
+  using Graph = typename Bag::Graph;
+  static_assert(is_look_up_bag_v<detail::PresentView<Bag>>,
                 "topobag: a bag to look up in has Graph = TopologyGraph<Scalar>, query(graph, "
                 "QueryOptions) const -> std::vector<Candidate> and find(KeyframeId) const -> "
                 "std::optional<Graph>, or a view() that has.");
 
- public:
-  using Bag = Bag_;
-  using Graph = typename Bag::Graph;
+  /// `map`: filled already, or with a similarity of yours; to refer to, where `Bag_` is a
+  /// reference.
+  explicit Relocalizer(RecognitionOptions options = {}, Bag_ map = std::decay_t<Bag_>{})
+      : options_(std::move(options)), map_(std::forward<Bag_>(map)) {}
 
-  /// `map`: filled already, or with a similarity of yours.
-  explicit Relocalizer(RecognitionOptions options = {}, Bag map = Bag{})
-      : options_(std::move(options)), map_(std::move(map)) {}
+  /// Refers to `map`.
+  template <typename Map, std::enable_if_t<std::is_same_v<Map&, Bag_>, int> = 0>
+  explicit Relocalizer(Map& map, RecognitionOptions options = {})
+      : Relocalizer(std::move(options), map) {}
 
   /// The map, to be filled.
   Bag& map() noexcept { return map_; }
@@ -80,18 +74,31 @@ class Relocalizer {
   void set_options(RecognitionOptions options) { options_ = std::move(options); }
 
   /// The query camera's pose in the map's world, when it was recognised and the matched entry's
-  /// pose is known.
-  std::optional<Eigen::Isometry3d> T_world_query(const Recognition& recognition) const {
+  /// pose is known, which is taken as exact.
+  std::optional<PoseWithCovariance<>> T_world_query(const Recognition& recognition) const {
     if (!recognition) return std::nullopt;
-    const auto info = map_.info(recognition.accepted->id);
+    const auto info = detail::stored_info(*detail::present_view(map_, 0), recognition.accepted->id, 0);
     if (!info || !info->T_world_camera) return std::nullopt;
-    return *info->T_world_camera * recognition.accepted->pose->T_candidate_query;
+    return T_world_query(recognition, {*info->T_world_camera, {}});
+  }
+
+  /// The same from the matched entry's pose and its covariance, as the back end knows them.
+  std::optional<PoseWithCovariance<>> T_world_query(
+      const Recognition& recognition, const PoseWithCovariance<>& T_world_candidate) const {
+    if (!recognition) return std::nullopt;
+    return T_world_candidate * recognition.accepted->pose->with_covariance();
   }
 
  private:
   RecognitionOptions options_;
-  Bag map_;
+  Bag_ map_;
 };
+
+/// Of a map that lives elsewhere.
+template <typename Bag, std::enable_if_t<is_look_up_bag_v<detail::PresentView<Bag>>, int> = 0>
+explicit Relocalizer(Bag&) -> Relocalizer<Bag&>;
+template <typename Bag, std::enable_if_t<is_look_up_bag_v<detail::PresentView<Bag>>, int> = 0>
+explicit Relocalizer(Bag&, RecognitionOptions) -> Relocalizer<Bag&>;
 
 }  // namespace v0
 }  // namespace topobag

@@ -80,6 +80,8 @@ inline constexpr const char* sqlite_insert =
 inline constexpr const char* sqlite_update =
     "UPDATE keyframe SET session = ?, stamp = ?, label = ?, tx = ?, ty = ?, tz = ?, qx = ?, qy = ?,"
     " qz = ?, qw = ?, nodes = ?, edges = ?, objects = ?, graph = ?, checksum = ? WHERE id = ?";
+inline constexpr const char* sqlite_move =
+    "UPDATE keyframe SET tx = ?, ty = ?, tz = ?, qx = ?, qy = ?, qz = ?, qw = ? WHERE id = ?";
 inline constexpr const char* sqlite_select =
     "SELECT id, session, stamp, label, tx, ty, tz, qx, qy, qz, qw, graph, checksum FROM keyframe"
     " ORDER BY id";

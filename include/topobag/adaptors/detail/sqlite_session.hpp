@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <topobag/adaptors/detail/sqlite_connection.hpp>
 #include <topobag/adaptors/detail/sqlite_row.hpp>
 #include <topobag/adaptors/detail/sqlite_schema.hpp>
 #include <topobag/adaptors/detail/sqlite_statement.hpp>
+#include <topobag/adaptors/sqlite_options.hpp>
 #include <topobag/bag/session_number.hpp>
 #include <topobag/types/utf8.hpp>
 
@@ -27,6 +29,35 @@ inline std::uint32_t note_session(SqliteConnection& connection, const std::strin
       .bind(std::int64_t{session}, name)
       .step();
   return session;
+}
+
+/// By rising id.
+inline std::vector<MapSession> noted_sessions(const SqliteConnection& connection) {
+  std::vector<MapSession> sessions;
+  SqliteStatement rows(connection, "SELECT id, name FROM session ORDER BY id");
+  while (rows.step()) {
+    sessions.push_back({static_cast<std::uint32_t>(rows.integer(0)), rows.text(1)});
+  }
+  return sessions;
+}
+
+/// The runs that another map names; none of a bag that names no runs.
+template <typename Other>
+auto named_sessions(const Other& other, int) -> decltype(other.sessions()) {
+  return other.sessions();
+}
+template <typename Other>
+std::vector<MapSession> named_sessions(const Other&, long) {
+  return {};
+}
+
+/// Notes runs under numbers that are `offset` higher; where there is one already, it keeps its name.
+inline void note_sessions(const SqliteConnection& connection,
+                          const std::vector<MapSession>& sessions, std::uint32_t offset) {
+  SqliteStatement insert(connection, "INSERT OR IGNORE INTO session(id, name) VALUES(?, ?)");
+  for (const MapSession& session : sessions) {
+    insert.bind(std::int64_t{session_after(session.id, offset)}, session.name).step();
+  }
 }
 
 }  // namespace detail

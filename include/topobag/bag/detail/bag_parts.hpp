@@ -5,6 +5,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <topobag/bag/detail/dead_slots.hpp>
 #include <topobag/bag/detail/head_block.hpp>
 #include <topobag/bag/detail/segment.hpp>
+#include <topobag/bag/detail/segment_infos.hpp>
 #include <topobag/bag/place_contents.hpp>
 #include <topobag/types/appearance.hpp>
 
@@ -19,9 +21,11 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
-/// A segment and which of its entries are gone. Both are shared between views and never change.
+/// A segment, what is known of its entries, and which of them are gone. All are shared between
+/// views and never change.
 struct SealedPart {
   std::shared_ptr<const Segment> segment;
+  std::shared_ptr<const SegmentInfos> infos;
   std::shared_ptr<const DeadSlots> dead;  ///< none when all live
 
   bool is_live(std::size_t slot) const noexcept { return !dead || !dead->contains(slot); }
@@ -61,6 +65,7 @@ struct BagParts {
       if ((*head)[slot].id == id && !dead_in_head[slot]) return EntryPlace{sealed->size(), slot};
     }
     for (std::size_t part = sealed->size(); part-- > 0;) {
+      if (!(*sealed)[part].infos->range().may_contain(id)) continue;
       const auto slot = (*sealed)[part].segment->slot_of(id);
       if (slot && (*sealed)[part].is_live(*slot)) return EntryPlace{part, *slot};
     }
@@ -79,7 +84,14 @@ struct BagParts {
 
   EntryInfo info(EntryPlace place) const {
     if (place.part == sealed->size()) return (*head)[place.slot].info;
-    return (*sealed)[place.part].segment->info(place.slot);
+    return (*(*sealed)[place.part].infos)[place.slot];
+  }
+
+  /// Where every entry is. O(n log n).
+  std::map<KeyframeId, EntryPlace> by_id() const {
+    std::map<KeyframeId, EntryPlace> found;
+    for_each([&](EntryPlace place) { found.emplace(entry(place).id, place); });
+    return found;
   }
 
   /// Calls `visit(place)` for every entry, oldest first.

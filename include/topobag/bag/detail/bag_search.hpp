@@ -61,7 +61,7 @@ class BagSearch {
   static BagParts possible(BagParts parts, const EntryFilter& among) {
     auto sealed = std::make_shared<BagParts::Sealed>();
     std::copy_if(parts.sealed->begin(), parts.sealed->end(), std::back_inserter(*sealed),
-                 [&](const SealedPart& part) { return part.segment->range().may_pass(among); });
+                 [&](const SealedPart& part) { return part.infos->range().may_pass(among); });
     parts.sealed = std::move(sealed);
     return parts;
   }

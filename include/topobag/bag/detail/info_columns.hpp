@@ -44,6 +44,12 @@ class InfoColumns {
     return info;
   }
 
+  /// Moves one entry.
+  void set_pose(std::size_t i, const Eigen::Isometry3d& T_world_camera) {
+    if (poses_.empty()) poses_.resize(size_, Pose{absent});
+    poses_[i] = packed(T_world_camera);
+  }
+
   void shrink_to_fit() {
     stamps_.shrink_to_fit();
     sessions_.shrink_to_fit();

@@ -18,6 +18,13 @@ inline constexpr std::size_t max_segment_size = LeafBounds::max_leaves;
 /// So many segments of about one size become one.
 inline constexpr std::size_t merge_fan_in = 4;
 
+/// What a builder has put together, all of it live.
+template <typename Similarity>
+SealedPart finished(Segment::Builder<Similarity>& builder) {
+  return {std::make_shared<const Segment>(builder.build()),
+          std::make_shared<const SegmentInfos>(builder.take_infos()), nullptr};
+}
+
 /// Makes segments of entries that come one by one.
 template <typename Similarity>
 class PartBuilder {
@@ -46,7 +53,7 @@ class PartBuilder {
  private:
   void end_segment() {
     if (segment_.size() == 0) return;
-    parts_.push_back({std::make_shared<const Segment>(segment_.build()), nullptr});
+    parts_.push_back(finished(segment_));
     segment_ = Segment::Builder<Similarity>(similarity_);
   }
 
@@ -80,16 +87,16 @@ SealedPart merged(const std::vector<SealedPart>& parts, std::size_t count,
   for (std::size_t i = parts.size() - count; i < parts.size(); ++i) {
     const Segment& segment = *parts[i].segment;
     if (!parts[i].dead) {
-      builder.add(segment);
+      builder.add(segment, *parts[i].infos);
       continue;
     }
     for (std::size_t slot = 0; slot < segment.size(); ++slot) {
       if (!parts[i].is_live(slot)) continue;
-      builder.add(segment.id(slot), segment.info(slot), segment.graph(slot),
+      builder.add(segment.id(slot), (*parts[i].infos)[slot], segment.graph(slot),
                   segment.graph_size(slot));
     }
   }
-  return {std::make_shared<const Segment>(builder.build()), nullptr};
+  return finished(builder);
 }
 
 }  // namespace detail

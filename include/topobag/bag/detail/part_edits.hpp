@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
+#include <topobag/bag/camera_poses.hpp>
 #include <topobag/bag/detail/bag_parts.hpp>
 #include <topobag/bag/detail/dead_slots.hpp>
 #include <topobag/bag/detail/head_block.hpp>
@@ -64,6 +66,33 @@ void remove(BagParts& next, EntryPlace place, const Similarity& similarity) {
     part = merged<Similarity>({part}, 1, similarity);
   }
   next.sealed = std::move(parts);
+}
+
+/// The same entries at other poses. Graphs and index are shared with `parts`. Precondition: all are
+/// there. O(entries of the segments that hold them).
+inline BagParts with_poses(BagParts parts, const CameraPoses& poses) {
+  std::vector<std::shared_ptr<SegmentInfos>> moved(parts.sealed->size());
+  std::shared_ptr<HeadBlock> head;
+  for (const auto& [id, T_world_camera] : poses) {
+    const EntryPlace place = *parts.find(id);
+    if (place.part == moved.size()) {
+      if (!head) head = std::make_shared<HeadBlock>(*parts.head, parts.head_size);
+      (*head)[place.slot].info.T_world_camera = T_world_camera;
+      continue;
+    }
+    std::shared_ptr<SegmentInfos>& infos = moved[place.part];
+    if (!infos) infos = std::make_shared<SegmentInfos>(*(*parts.sealed)[place.part].infos);
+    infos->set_pose(place.slot, T_world_camera);
+  }
+  if (head) parts.head = std::move(head);
+  auto segments = std::make_shared<BagParts::Sealed>(*parts.sealed);
+  for (std::size_t part = 0; part < moved.size(); ++part) {
+    if (!moved[part]) continue;
+    moved[part]->renew_range((*segments)[part].segment->ids());
+    (*segments)[part].infos = std::move(moved[part]);
+  }
+  parts.sealed = std::move(segments);
+  return parts;
 }
 
 }  // namespace detail

@@ -25,6 +25,14 @@ class PublishedPlaces {
   void remove(KeyframeId id, const EntryInfo& info, const ClassCounts& objects) {
     places_.remove(id, info, objects);
   }
+  /// An entry stands elsewhere now.
+  /// @param before, after  with the entry at `place`, which is the same in both
+  void move(const BagParts& before, const BagParts& after, EntryPlace place) {
+    const auto [info, objects] = placed(before, place);
+    const KeyframeId id = before.entry(place).id;
+    places_.remove(id, info, objects);
+    places_.add(id, after.info(place), objects);
+  }
   void clear() noexcept { places_.clear(); }
 
   std::size_t size() const noexcept { return places_.size(); }

@@ -10,10 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <topobag/bag/detail/info_columns.hpp>
-#include <topobag/bag/detail/info_range.hpp>
 #include <topobag/bag/detail/leaf_bounds.hpp>
 #include <topobag/bag/detail/node_scan.hpp>
+#include <topobag/bag/detail/segment_infos.hpp>
 #include <topobag/bag/detail/sketch.hpp>
 #include <topobag/similarity/class_pair_distance_histogram.hpp>
 #include <topobag/types/ids.hpp>
@@ -37,8 +36,7 @@ class Segment {
 
   std::size_t size() const noexcept { return ids_.size(); }
   KeyframeId id(std::size_t slot) const noexcept { return ids_[slot]; }
-  EntryInfo info(std::size_t slot) const { return infos_[slot]; }
-  const InfoRange& range() const noexcept { return range_; }  ///< of all ids and infos
+  const std::vector<KeyframeId>& ids() const noexcept { return ids_; }
   const std::uint8_t* graph(std::size_t slot) const noexcept {
     return bytes_.data() + begins_[slot];
   }
@@ -62,7 +60,6 @@ class Segment {
 
   /// O(log n).
   std::optional<std::size_t> slot_of(KeyframeId id) const {
-    if (!range_.may_contain(id)) return std::nullopt;
     std::size_t low = 0, high = ids_.size();
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
@@ -85,7 +82,7 @@ class Segment {
            by_id_.capacity() * sizeof(std::uint32_t);
   }
   std::size_t entry_bytes() const noexcept {
-    return infos_.bytes() + ids_.capacity() * sizeof(KeyframeId) +
+    return ids_.capacity() * sizeof(KeyframeId) +
            begins_.capacity() * sizeof(std::uint32_t) + sizeof(*this);
   }
 
@@ -98,8 +95,6 @@ class Segment {
   std::vector<KeyframeId> ids_;
   std::vector<std::uint32_t> begins_{0};  ///< of the graphs in `bytes_`, and their end
   std::vector<std::uint8_t> bytes_;
-  InfoColumns infos_;
-  InfoRange range_;
   std::vector<Sketch> sketches_;
   std::vector<std::uint32_t> by_id_;  ///< slots by ascending id; empty where they are so already
 
@@ -136,10 +131,10 @@ class Segment::Builder {
   }
 
   /// All of another, with its leaves as they are.
-  void add(const Segment& other) {
+  void add(const Segment& other, const SegmentInfos& infos) {
     end_leaf();
     for (std::size_t slot = 0; slot < other.size(); ++slot) {
-      append(other.id(slot), other.info(slot), other.graph(slot), other.graph_size(slot));
+      append(other.id(slot), infos[slot], other.graph(slot), other.graph_size(slot));
       segment_.sketches_.push_back(other.sketch(slot));
     }
     const std::uint32_t before = segment_.leaf_begins_.back();
@@ -168,7 +163,6 @@ class Segment::Builder {
     s.ids_.shrink_to_fit();
     s.begins_.shrink_to_fit();
     s.bytes_.shrink_to_fit();
-    s.infos_.shrink_to_fit();
     s.sketches_.shrink_to_fit();
     s.leaf_begins_.shrink_to_fit();
     s.total_ranges_.shrink_to_fit();
@@ -176,11 +170,16 @@ class Segment::Builder {
     return std::move(s);
   }
 
+  /// What is known of the entries.
+  SegmentInfos take_infos() {
+    infos_.shrink_to_fit();
+    return std::move(infos_);
+  }
+
  private:
   void append(KeyframeId id, const EntryInfo& info, const std::uint8_t* graph, std::size_t size) {
     segment_.ids_.push_back(id);
-    segment_.infos_.push_back(info);
-    segment_.range_.extend(id, info);
+    infos_.push_back(id, info);
     segment_.bytes_.insert(segment_.bytes_.end(), graph, graph + size);
     segment_.begins_.push_back(static_cast<std::uint32_t>(segment_.bytes_.size()));
   }
@@ -232,6 +231,7 @@ class Segment::Builder {
 
   const Similarity* similarity_;
   Segment segment_;
+  SegmentInfos infos_;
   LeafBounds::Builder bounds_;
   CoarseHistogram leaf_, raised_;
   NodeScan scan_;

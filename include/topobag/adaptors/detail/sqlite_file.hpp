@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include <topobag/adaptors/detail/sqlite_catalog.hpp>
+#include <topobag/adaptors/detail/sqlite_connection.hpp>
+#include <topobag/adaptors/detail/sqlite_row.hpp>
+#include <topobag/adaptors/detail/sqlite_schema.hpp>
+#include <topobag/adaptors/detail/sqlite_session.hpp>
+#include <topobag/adaptors/detail/sqlite_statement.hpp>
+#include <topobag/adaptors/sqlite_options.hpp>
+#include <topobag/error.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// A map in an SQLite file: its rows are written within `change` and read one by one.
+class SqliteFile {
+ public:
+  /// Throws as `SqliteBag`.
+  SqliteFile(const std::string& path, SqliteOptions options)
+      : options_(std::move(options)), connection_(path, options_.read_only) {
+    prepare_schema(connection_, options_.read_only);
+    if (!options_.read_only)
+      connection_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    if (options_.catalog) agree_on_catalog(connection_, *options_.catalog, options_.read_only);
+    data_version_ = sqlite_number(connection_, "PRAGMA data_version");
+  }
+
+  const std::string& path() const noexcept { return connection_.path(); }
+  const SqliteOptions& options() const noexcept { return options_; }
+  SqliteConnection& connection() noexcept { return connection_; }
+  const SqliteConnection& connection() const noexcept { return connection_; }
+
+  /// A transaction that is refused when the file is no longer what was read of it.
+  template <typename Work>
+  void change(const Work& work) {
+    if (options_.read_only) throw Error(path() + ": the map was opened for reading only");
+    SqliteTransaction transaction(connection_);
+    if (sqlite_number(connection_, "PRAGMA data_version") != data_version_) {
+      throw Error(path() + ": another process has changed the map; open it again");
+    }
+    work();
+    transaction.commit();
+  }
+
+  /// @param graph  that of the entry, decoded
+  template <typename Graph>
+  void insert(const EntryRecord& entry, const Graph& graph) {
+    write_row(prepared(insert_, sqlite_insert), entry, graph, options_.catalog);
+  }
+  /// The same.
+  template <typename Graph>
+  void update(const EntryRecord& entry, const Graph& graph) {
+    write_row(prepared(update_, sqlite_update), entry, graph, options_.catalog);
+  }
+  void move(KeyframeId id, const Eigen::Isometry3d& T_world_camera) {
+    const auto pose = pose_columns(T_world_camera);
+    prepared(move_, sqlite_move)
+        .bind(pose[0], pose[1], pose[2], pose[3], pose[4], pose[5], pose[6], sqlite_id(id))
+        .step();
+  }
+  void erase(KeyframeId id) {
+    SqliteStatement(connection_, "DELETE FROM keyframe WHERE id = ?").bind(sqlite_id(id)).step();
+  }
+
+  /// Calls f(EntryRecord) for every key frame. Throws FormatError when one cannot be read.
+  template <typename F>
+  void for_each(const F& f) const {
+    SqliteStatement rows(connection_, sqlite_select);
+    while (rows.step()) {
+      try {
+        f(read_row(rows));
+      } catch (const Error& error) {
+        throw FormatError(path() + ": key frame " +
+                          std::to_string(static_cast<std::uint64_t>(rows.integer(0))) +
+                          " cannot be read: " + error.what());
+      }
+    }
+  }
+
+  std::set<KeyframeId> ids() const {
+    std::set<KeyframeId> ids;
+    SqliteStatement rows(connection_, "SELECT id FROM keyframe");
+    while (rows.step()) ids.insert(KeyframeId{static_cast<std::uint64_t>(rows.integer(0))});
+    return ids;
+  }
+
+ private:
+  /// What a mapping run repeats is prepared once.
+  SqliteStatement& prepared(std::optional<SqliteStatement>& statement, const char* sql) {
+    if (!statement) statement.emplace(connection_, sql);
+    return *statement;
+  }
+
+  SqliteOptions options_;
+  SqliteConnection connection_;
+  std::optional<SqliteStatement> insert_, update_, move_;
+  std::int64_t data_version_ = 0;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag
