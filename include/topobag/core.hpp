@@ -9,6 +9,7 @@
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/build_indexed_bag.hpp>
+#include <topobag/bag/camera_poses.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
@@ -71,6 +72,7 @@
 #include <topobag/matching/size_prior.hpp>
 #include <topobag/matching/usual_size_spreads.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
+#include <topobag/recognition/align_maps.hpp>
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/calibration.hpp>
 #include <topobag/recognition/calibration_text.hpp>
@@ -81,6 +83,7 @@
 #include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/false_scores.hpp>
 #include <topobag/recognition/loop_detector.hpp>
+#include <topobag/recognition/map_alignment.hpp>
 #include <topobag/recognition/null_model.hpp>
 #include <topobag/recognition/place_graph.hpp>
 #include <topobag/recognition/place_options.hpp>
@@ -128,6 +131,7 @@
 #include <topobag/types/detection.hpp>
 #include <topobag/types/dynamics.hpp>
 #include <topobag/types/ids.hpp>
+#include <topobag/types/pose_with_covariance.hpp>
 #include <topobag/types/position_traits.hpp>
 #include <topobag/types/ranged_detection.hpp>
 #include <topobag/types/rigid_motion.hpp>

@@ -7,6 +7,7 @@
 #include <topobag/evaluation/association.hpp>
 #include <topobag/evaluation/bootstrap.hpp>
 #include <topobag/evaluation/frustum_overlap.hpp>
+#include <topobag/evaluation/g2o_text.hpp>
 #include <topobag/evaluation/kitti_trajectory.hpp>
 #include <topobag/evaluation/labelled_scores.hpp>
 #include <topobag/evaluation/lifelong_score.hpp>

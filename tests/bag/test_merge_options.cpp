@@ -71,3 +71,52 @@ TEST_CASE("a bag without views stays so when another is merged", "[bag][index]")
   keeping.merge(*other.view());
   CHECK(keeping.find(KeyframeId{2})->views().size() == 3);
 }
+
+namespace {
+
+/// That a bag takes in one of any kind as an indexed bag takes in one of its own.
+template <typename Bag, typename Other>
+void check_merge(const Other& other, const IndexedBag& same_as_other, RecombinedGraphs& source) {
+  MergeOptions options;
+  options.session_offset = 4;
+  options.T_world_other = Eigen::Isometry3d(Eigen::Translation3d(1.0, 2.0, 3.0));
+  Bag bag;
+  IndexedBag oracle;
+  for (std::uint64_t id = 5; id < 12; ++id) {
+    const auto graph = source.keyframe(source.place());
+    bag.add(KeyframeId{id}, decode(encode(graph)));
+    oracle.add(KeyframeId{id}, graph);
+  }
+  CHECK(bag.merge(other, options) == oracle.merge(*same_as_other.view(), options));
+  REQUIRE(bag.size() == oracle.size());
+  oracle.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
+    REQUIRE(bag.contains(id));
+    CHECK(encode(*bag.find(id)) == encode(graph));
+    CHECK(bag.info(id)->session == info.session);
+    CHECK(bag.info(id)->T_world_camera.has_value() == info.T_world_camera.has_value());
+  });
+  CHECK(bag.places() == oracle.places());
+  const auto query = source.keyframe(source.place());
+  CHECK(bag.query(query) == oracle.query(query));
+  // What is refused changes nothing.
+  options.session_offset = std::numeric_limits<std::uint32_t>::max();
+  bag.add(KeyframeId{1000}, {}, EntryInfo{std::nullopt, 1, std::nullopt, ""});
+  CHECK_THROWS_AS(bag.merge(bag, options), InvalidId);
+  CHECK(bag.size() == oracle.size() + 1);
+}
+
+}  // namespace
+
+TEST_CASE("bags of every kind merge with each other", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(6), 6);
+  IndexedBag other = bag_of(source, 1);
+  EntryInfo info;
+  info.T_world_camera = Eigen::Isometry3d::Identity();
+  other.add(KeyframeId{900}, source.keyframe(source.place()), info);
+  BagOfTopologyGraphs<> plain;
+  plain.merge(other);
+  check_merge<BagOfTopologyGraphs<>>(other, other, source);
+  check_merge<BagOfTopologyGraphs<>>(plain, other, source);
+  check_merge<IndexedBag>(other, other, source);
+  check_merge<IndexedBag>(plain, other, source);
+}

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source .ci/packages.sh
 need_build_tools
-need_packages pkg-config libeigen3-dev libcgal-dev
+need_packages pkg-config libeigen3-dev libcgal-dev libsqlite3-dev
 here=tests/consumer
 build=$PWD/build/consumer
 rm -rf "$build"
@@ -27,7 +27,7 @@ consume() {
   echo "== $project $*"
   cmake -S "$here/$project" -B "$build/$project" --no-warn-unused-cli -D topobag_sources="$PWD" "$@"
   cmake --build "$build/$project"
-  for program in core delaunay; do
+  for program in core delaunay slam slam_compiled; do
     if [ -e "$build/$project/$program" ]; then "$build/$project/$program"; fi
   done
 }
@@ -53,6 +53,7 @@ install "$build/whole"
 consume find_package -D CMAKE_PREFIX_PATH="$build/whole" -D wanted_version="$version"
 consume add_subdirectory
 consume fetch_content
+consume programs
 
 install "$build/without_cgal" -D CMAKE_DISABLE_FIND_PACKAGE_CGAL=ON
 consume core_alone -D CMAKE_PREFIX_PATH="$build/without_cgal" -D wanted_version="$version" \

@@ -307,7 +307,7 @@ TEMPLATE_TEST_CASE("concepts: a bag to look up in, and one to add to", "[docs]",
   const Recognition found = relocalizer.localize(room());
   REQUIRE(found);
   CHECK(found.accepted->id == KeyframeId{7});
-  CHECK(relocalizer.T_world_query(found)->isApprox(Eigen::Isometry3d::Identity(), 1e-6));
+  CHECK(relocalizer.T_world_query(found)->T.isApprox(Eigen::Isometry3d::Identity(), 1e-6));
 
   LoopDetector<TestType> loops;
   loops.detect_and_add(KeyframeId{1}, 0.0, room());
@@ -337,7 +337,7 @@ TEST_CASE("concepts: a durable bag", "[docs]") {
   SqliteBag<ListBag> map(folder.path("map.db"));
   map.add(KeyframeId{1}, room());
   map.update(KeyframeId{1}, room(2));
-  CHECK(map.bag().contains(KeyframeId{1}));
+  CHECK(map.contains(KeyframeId{1}));
   CHECK(map.erase(KeyframeId{1}));
 }
 #endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What the README shows of a map that is kept.
-#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -10,22 +9,11 @@
 #endif
 
 #include "catch.hpp"
-#include "scratch_folder.hpp"
+#include "docs/working_folder.hpp"
 
 using namespace topobag;
 
 namespace {
-
-/// The names of the README's files stand for themselves: they lie in a folder of the test's own.
-class WorkingFolder {
- public:
-  WorkingFolder() { std::filesystem::current_path(folder_.path("")); }
-  ~WorkingFolder() { std::filesystem::current_path(before_); }
-
- private:
-  ScratchFolder folder_;
-  std::filesystem::path before_ = std::filesystem::current_path();
-};
 
 TopologyGraph<> two_objects() {
   std::vector<SemanticNode<>> nodes(2);
@@ -62,8 +50,8 @@ TEST_CASE("a running map goes on where it was", "[docs]") {
     SqliteBag<> map("kitchen.db");  // a running map: opened again, it goes on
     info.session = map.begin_session("Monday");
     map.add(KeyframeId{7}, graph, info);
-    map.bag().query(graph);
+    map.query(graph);
   }
-  CHECK(SqliteBag<>("kitchen.db").bag().contains(KeyframeId{7}));
+  CHECK(SqliteBag<>("kitchen.db").contains(KeyframeId{7}));
 }
 #endif

@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <string_view>
 #include <system_error>
 
+#include <topobag/assert.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {
@@ -47,6 +49,14 @@ inline std::optional<std::int64_t> parse_whole(std::string_view text) noexcept {
     return std::nullopt;
   }
   return static_cast<std::int64_t>(*number);
+}
+
+/// Writes the shortest text that reads back as the same number, whatever the locale.
+inline void write_number(std::ostream& stream, double number) {
+  char text[32];
+  const auto [end, status] = std::to_chars(text, text + sizeof text, number);
+  TOPOBAG_ASSERT(status == std::errc{});
+  stream.write(text, end - text);
 }
 
 }  // namespace v0

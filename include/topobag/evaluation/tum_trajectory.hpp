@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <charconv>
 #include <istream>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include <topobag/assert.hpp>
 #include <topobag/evaluation/detail/pose_text.hpp>
 #include <topobag/evaluation/trajectory.hpp>
 
@@ -53,15 +51,9 @@ Trajectory read_tum(const Path& path) {
 template <typename Poses = Trajectory>
 void write_tum(std::ostream& stream, const Poses& trajectory) {
   for (const auto& pose : trajectory) {
-    const Eigen::Vector3d t = pose.T_world_body.translation();
-    const Eigen::Quaterniond q(pose.T_world_body.linear());
-    const double numbers[] = {pose.stamp_s, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
-    for (const double& number : numbers) {
-      char text[32];
-      const auto [end, status] = std::to_chars(text, text + sizeof text, number);
-      TOPOBAG_ASSERT(status == std::errc{});
-      stream.write(text, end - text).put(&number == numbers + 7 ? '\n' : ' ');
-    }
+    write_number(stream, pose.stamp_s);
+    detail::write_pose(stream.put(' '), pose.T_world_body);
+    stream.put('\n');
   }
 }
 

@@ -77,7 +77,7 @@ class Relocalizer {
   /// pose is known, which is taken as exact.
   std::optional<PoseWithCovariance<>> T_world_query(const Recognition& recognition) const {
     if (!recognition) return std::nullopt;
-    const auto info = detail::stored_info(*detail::present_view(map_, 0), recognition.accepted->id, 0);
+    const std::optional<EntryInfo> info = detail::stored_info(map_, recognition.accepted->id, 0);
     if (!info || !info->T_world_camera) return std::nullopt;
     return T_world_query(recognition, {*info->T_world_camera, {}});
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
+#include <topobag/evaluation/number_text.hpp>
 #include <topobag/evaluation/text_lines.hpp>
 #include <topobag/evaluation/trajectory.hpp>
 #include <topobag/types/rigid_motion.hpp>
@@ -44,6 +46,16 @@ Eigen::Isometry3d pose_from_matrix(const Lines& lines, const double* values) {
   matrix.topRows<3>() = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(values);
   return lines.located(
       [&] { return nearest_rigid(matrix, "the 3×4 matrix", written_rotation_tolerance); });
+}
+
+/// Writes `tx ty tz qx qy qz qw`.
+inline void write_pose(std::ostream& stream, const Eigen::Isometry3d& T) {
+  const Eigen::Vector3d t = T.translation();
+  const Eigen::Quaterniond q(T.linear());
+  write_number(stream, t.x());
+  for (const double number : {t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+    write_number(stream.put(' '), number);
+  }
 }
 
 }  // namespace detail

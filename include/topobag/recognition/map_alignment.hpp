@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include <topobag/recognition/recognition_options.hpp>
+#include <topobag/types/pose_with_covariance.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// How many key frames have to agree on how two maps lie to each other. Two poses of one camera are
+/// the same as for any recognition: `recognition.place`.
+struct AlignOptions {
+  RecognitionOptions recognition{};  ///< how map b's key frames are looked up in map a
+  std::size_t max_keyframes = 300;   ///< of map b that are asked, spread evenly over all
+  std::size_t min_matches = 3;       ///< key frames that have to agree
+  double max_rival_share = 0.5;      ///< of so many, for another alignment, which then fits as well
+  double deviations = 3.0;  ///< σ of a match, by which its alignment may miss another match's camera
+};
+
+/// What became of two maps.
+enum class AlignmentVerdict {
+  aligned,    ///< one alignment fits
+  no_poses,   ///< one of the maps has no key frame with a pose and three objects
+  too_few,    ///< not enough key frames agree
+  ambiguous,  ///< two alignments fit: the maps repeat themselves
+};
+
+/// How map b lies in map a.
+struct MapAlignment {
+  AlignmentVerdict verdict = AlignmentVerdict::no_poses;
+  std::optional<PoseWithCovariance<>> T_a_b;  ///< from b's world to a's, when aligned
+  std::size_t asked = 0;                      ///< key frames of b
+  std::size_t matched = 0;                    ///< of them with a verified match
+  std::size_t agreeing = 0;                   ///< of them for the best alignment
+  std::size_t rivalling = 0;                  ///< of them for the best other one
+  std::size_t places = 0;                     ///< of b in which the agreeing stand
+
+  /// Whether one alignment fits.
+  explicit operator bool() const noexcept { return T_a_b.has_value(); }
+};
+
+/// In one sentence. A string literal.
+constexpr const char* why(AlignmentVerdict verdict) noexcept {
+  switch (verdict) {
+    case AlignmentVerdict::aligned: return "one alignment fits";
+    case AlignmentVerdict::no_poses:
+      return "a map has no key frame with a pose and three objects: there is nothing to align";
+    case AlignmentVerdict::too_few:
+      return "too few key frames of one map are recognised in the other, or do not agree";
+    case AlignmentVerdict::ambiguous:
+      return "two alignments fit: the maps look alike in more than one place";
+  }
+  return "";
+}
+
+}  // namespace v0
+}  // namespace topobag
