@@ -15,6 +15,7 @@ void add_explain_command(CLI::App& app);
 void add_localize_command(CLI::App& app);
 void add_loops_command(CLI::App& app);
 void add_map_command(CLI::App& app);
+void add_merge_command(CLI::App& app);
 void add_nodes_command(CLI::App& app);
 void add_similarity_command(CLI::App& app);
 void add_trajectory_command(CLI::App& app);

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   program::add_localize_command(app);
   program::add_loops_command(app);
   program::add_map_command(app);
+  program::add_merge_command(app);
   program::add_nodes_command(app);
   program::add_similarity_command(app);
   program::add_trajectory_command(app);

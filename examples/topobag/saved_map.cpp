@@ -44,6 +44,12 @@ SavedMap read_snapshot(const std::string& path, const topobag::ClassCatalog& cat
   return saved;
 }
 
+void write_snapshot(const std::string& path, const Bag& bag, const topobag::ClassCatalog& catalog) {
+  topobag::SaveOptions options;
+  options.catalog_fingerprint = topobag::fingerprint(catalog);
+  topobag::save(bag, path, options);
+}
+
 void extend_snapshot(const std::string& path, Bag bag, const Bag& entries,
                      const topobag::ClassCatalog& catalog) {
   const std::set<std::uint32_t> sessions = sessions_in(bag);
@@ -53,9 +59,7 @@ void extend_snapshot(const std::string& path, Bag bag, const Bag& entries,
     info.session = session;
     bag.add(id, graph, std::move(info));
   });
-  topobag::SaveOptions options;
-  options.catalog_fingerprint = topobag::fingerprint(catalog);
-  topobag::save(bag, path, options);
+  write_snapshot(path, bag, catalog);
 }
 
 /// Throws when a map holds all of the entries: a sequence mapped twice is found by itself.
@@ -80,6 +84,9 @@ void require_new(const std::string& path, const Bag& bag, const Bag& entries) {
                              std::to_string(*sessions.begin()) +
                              ": mapped twice, a place is found by itself");
 }
+
+/// Which kind of map a new file is.
+bool is_sqlite_name(const std::string& path) { return fs::path(path).extension() == ".db"; }
 
 enum class MapKind { sqlite, snapshot };
 
@@ -136,7 +143,7 @@ void write_saved_map(const std::string& path, const std::string& session,
     throw InputError(path, "it exists; give --append to go on mapping, or another name");
   }
   const bool sqlite =
-      exists ? kind_of(path) == MapKind::sqlite : fs::path(path).extension() == ".db";
+      exists ? kind_of(path) == MapKind::sqlite : is_sqlite_name(path);
   Bag bag = exists ? read_saved_map(path, catalog).bag : Bag();
   const Bag entries = new_entries(bag, keyframes);
   require_new(path, bag, entries);
@@ -144,6 +151,15 @@ void write_saved_map(const std::string& path, const std::string& session,
     extend_sqlite_map(path, session, entries, catalog);
   } else {
     extend_snapshot(path, std::move(bag), entries, catalog);
+  }
+}
+
+void write_new_map(const std::string& path, const SavedMap& map,
+                   const topobag::ClassCatalog& catalog) {
+  if (is_sqlite_name(path)) {
+    write_sqlite_map(path, map, catalog);
+  } else {
+    write_snapshot(path, map.bag, catalog);
   }
 }
 

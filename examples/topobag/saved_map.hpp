@@ -41,6 +41,11 @@ void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, const topobag::ClassCatalog& catalog,
                      bool append);
 
+/// Writes a map where there is none, whole or not at all: FILE.db becomes an SQLite map, any other
+/// name a snapshot, which does not keep the sessions' names. Throws InputError and topobag::Error.
+void write_new_map(const std::string& path, const SavedMap& map,
+                   const topobag::ClassCatalog& catalog);
+
 /// The key frames of a map: of a file, or, as `read_keyframes` makes them, of a table; never none.
 /// Those of a file are numbered within their session, whose ids begin after the last one's before.
 /// Throws InputError, and topobag::Error for a file that is damaged or of other classes.

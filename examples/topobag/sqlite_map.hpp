@@ -19,4 +19,8 @@ void extend_sqlite_map(const std::string& path, const std::string& session,
                        const topobag::BagOfTopologyGraphs<>& entries,
                        const topobag::ClassCatalog& catalog);
 
+/// Makes an SQLite map of a map in memory, with the names of its sessions: whole, or not at all.
+void write_sqlite_map(const std::string& path, const SavedMap& map,
+                      const topobag::ClassCatalog& catalog);
+
 }  // namespace program

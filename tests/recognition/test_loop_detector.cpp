@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <type_traits>
 
 #include <topobag/bag/indexed_bag.hpp>
 #include <topobag/recognition/loop_detector.hpp>
@@ -158,4 +159,27 @@ TEST_CASE("a running detector takes other options, and keeps its key frames", "[
   CHECK(loop.accepted->threshold == calibration.threshold(1e-3).score);
   CHECK(*loop.accepted->confidence > 0.99);
   CHECK(*loop.accepted->confidence < 1.0);
+}
+
+TEST_CASE("a detector refers to a map that others use as well", "[recognition]") {
+  std::mt19937 random(9);
+  const SyntheticRoom room(1, 8, 8);
+  IndexedBag map;
+  LoopOptions options;
+  options.min_gap = 5.0;
+  LoopDetector loops(map, options);
+  static_assert(std::is_same_v<decltype(loops), LoopDetector<IndexedBag&>>);
+  const Relocalizer relocalizer(map);
+  const Eigen::Isometry3d T_world_camera = random_camera(random);
+  loops.detect_and_add(KeyframeId{1}, 0.0, room.seen_from(T_world_camera),
+                       standing_at(T_world_camera));
+  CHECK(map.size() == 1);
+  const Eigen::Isometry3d T_world_query = random_camera(random);
+  const Recognition loop = loops.detect(9.0, room.seen_from(T_world_query));
+  REQUIRE(loop);
+  CHECK(relocalizer.localize(room.seen_from(T_world_query)));
+  REQUIRE(loops.T_world_query(loop));
+  CHECK(loops.T_world_query(loop)->T.isApprox(T_world_query, 1e-3));
+  const PoseWithCovariance<> entry{T_world_camera, Eigen::Matrix<double, 6, 6>::Identity()};
+  CHECK(loops.T_world_query(loop, entry)->covariance.trace() > 6.0);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <random>
+#include <type_traits>
 
 #include <topobag/bag/indexed_bag.hpp>
 #include <topobag/evaluation/pose_error.hpp>
@@ -101,6 +102,53 @@ TEST_CASE("without a pose in the map there is none in the world", "[recognition]
   const Recognition found = relocalizer.localize(room.seen_from(random_camera(random)));
   REQUIRE(found);
   CHECK_FALSE(relocalizer.T_world_query(found));
+}
+
+TEST_CASE("a map that lives elsewhere is referred to, not copied", "[recognition]") {
+  std::mt19937 random(8);
+  const SyntheticRoom room(1, 8, 8);
+  IndexedBag map;
+  Relocalizer relocalizer(map);
+  static_assert(std::is_same_v<decltype(relocalizer), Relocalizer<IndexedBag&>>);
+  CHECK(&relocalizer.map() == &map);
+  CHECK_FALSE(relocalizer.localize(room.seen_from(random_camera(random))));
+  map.add(KeyframeId{1}, room.seen_from(random_camera(random)));
+  const auto query = room.seen_from(random_camera(random));
+  CHECK(relocalizer.localize(query));
+  RecognitionOptions strict;
+  strict.decision.min_score = 1e9;
+  const IndexedBag& only_read = map;
+  const Relocalizer refusing(only_read, strict);
+  static_assert(std::is_same_v<decltype(refusing), const Relocalizer<const IndexedBag&>>);
+  CHECK_FALSE(refusing.localize(query));
+  CHECK(refusing.localize(query, {}));
+  const auto copy = relocalizer;  // of the reference
+  CHECK(&copy.map() == &map);
+}
+
+TEST_CASE("the pose in the world is as uncertain as the match and the entry", "[recognition]") {
+  std::mt19937 random(9);
+  const SyntheticRoom room(1, 8, 8);
+  const Eigen::Isometry3d T_world_candidate =
+      Eigen::Translation3d(7, -2, 1) * Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitY());
+  Relocalizer<> relocalizer;
+  relocalizer.map().add(KeyframeId{1}, room.seen_from(random_camera(random)),
+                        standing_at(T_world_candidate));
+  const Recognition found = relocalizer.localize(room.seen_from(random_camera(random)));
+  REQUIRE(found);
+  const Eigen::Matrix<double, 6, 6> moved = adjoint(T_world_candidate) *
+                                            found.accepted->pose->covariance *
+                                            adjoint(T_world_candidate).transpose();
+  const auto exact = relocalizer.T_world_query(found);
+  REQUIRE(exact);
+  CHECK(exact->covariance.isApprox(moved, 1e-9));
+  const PoseWithCovariance<> entry{T_world_candidate,
+                                   1e-3 * Eigen::Matrix<double, 6, 6>::Identity()};
+  const auto uncertain = relocalizer.T_world_query(found, entry);
+  REQUIRE(uncertain);
+  CHECK(uncertain->T.matrix() == exact->T.matrix());
+  CHECK(uncertain->covariance.isApprox(moved + entry.covariance, 1e-9));
+  CHECK_FALSE(relocalizer.T_world_query({}, entry));
 }
 
 TEST_CASE("an empty map and an empty query are answered with nothing", "[recognition]") {

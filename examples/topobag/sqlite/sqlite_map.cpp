@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 #include <topobag/adaptors/sqlite.hpp>
 
@@ -19,6 +20,21 @@ topobag::SqliteOptions sqlite_options(bool read_only, const topobag::ClassCatalo
   options.catalog = catalog;
   return options;
 }
+
+/// A map in memory as SqliteBag takes in a bag with names of sessions.
+struct WithSessions {
+  const SavedMap& map;
+
+  template <typename F>
+  void for_each(const F& f) const {
+    map.bag.for_each(f);
+  }
+  std::vector<topobag::MapSession> sessions() const {
+    std::vector<topobag::MapSession> sessions;
+    for (const SavedSession& session : map.sessions) sessions.push_back({session.id, session.name});
+    return sessions;
+  }
+};
 
 /// A new map until it takes its name.
 struct UnfinishedFile {
@@ -40,6 +56,13 @@ SavedMap read_sqlite_map(const std::string& path, const topobag::ClassCatalog& c
     saved.sessions.push_back({session.id, session.name});
   }
   return saved;
+}
+
+void write_sqlite_map(const std::string& path, const SavedMap& map,
+                      const topobag::ClassCatalog& catalog) {
+  const UnfinishedFile unfinished{path + ".part-" + std::to_string(::getpid())};
+  topobag::SqliteBag<>(unfinished.path, sqlite_options(false, catalog)).merge(WithSessions{map});
+  fs::rename(unfinished.path, path);  // closed, it is one file
 }
 
 void extend_sqlite_map(const std::string& path, const std::string& session,

@@ -19,4 +19,8 @@ void extend_sqlite_map(const std::string& path, const std::string&,
   refuse(path);
 }
 
+void write_sqlite_map(const std::string& path, const SavedMap&, const topobag::ClassCatalog&) {
+  refuse(path);
+}
+
 }  // namespace program

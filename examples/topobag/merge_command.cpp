@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include <topobag/bag/session_number.hpp>
+#include <topobag/recognition/align_maps.hpp>
+
+#include "commands.hpp"
+#include "input_error.hpp"
+#include "object_classes.hpp"
+#include "saved_map.hpp"
+
+namespace program {
+namespace {
+
+struct MergeArguments {
+  std::string map;
+  std::string other;
+  std::string out;
+  ObjectClasses classes;
+};
+
+/// The number after the last run of a map, noted or not.
+std::uint32_t session_after_all(const SavedMap& map) {
+  std::optional<std::uint32_t> last;
+  const auto note = [&](std::uint32_t session) { last = std::max(last.value_or(0), session); };
+  for (const SavedSession& session : map.sessions) note(session.id);
+  map.bag.for_each([&](topobag::KeyframeId, const topobag::EntryInfo& info, const auto&) {
+    note(info.session);
+  });
+  return topobag::next_session(last);
+}
+
+/// `tx ty tz qx qy qz qw` and how exactly that is known.
+std::string in_words(const topobag::PoseWithCovariance<>& pose) {
+  const Eigen::Quaterniond q(pose.T.linear());
+  const auto deviation = [&](Eigen::Index first) {
+    return std::sqrt(pose.covariance.diagonal().segment<3>(first).sum());
+  };
+  const double degrees = 57.29577951308232;
+  std::ostringstream text;
+  text << pose.T.translation().transpose() << ' ' << q.coeffs().transpose() << ", to "
+       << deviation(0) << " m and " << degrees * deviation(3) << " degrees";
+  return text.str();
+}
+
+void merge_maps(const MergeArguments& arguments) {
+  if (std::filesystem::exists(arguments.out)) {
+    throw InputError(arguments.out, "it exists; give another name");
+  }
+  SavedMap map = read_saved_map(arguments.map, arguments.classes.catalog);
+  const SavedMap other = read_saved_map(arguments.other, arguments.classes.catalog);
+  topobag::AlignOptions options;
+  options.recognition = recognition_options_for(arguments.classes);
+  const topobag::MapAlignment alignment = topobag::align_maps(map.bag, other.bag, options);
+  const std::string counts = std::to_string(alignment.agreeing) + " of " +
+                             std::to_string(alignment.asked) + " key frames agree, " +
+                             std::to_string(alignment.rivalling) + " on something else";
+  if (!alignment) {
+    throw InputError(arguments.other, std::string(why(alignment.verdict)) + " (" + counts + ")");
+  }
+  topobag::MergeOptions how;
+  how.session_offset = session_after_all(map);
+  how.T_world_other = alignment.T_a_b->T;
+  map.bag.merge(other.bag, how);
+  for (const SavedSession& session : other.sessions) {
+    map.sessions.push_back(
+        {topobag::session_after(session.id, how.session_offset), session.name});
+  }
+  write_new_map(arguments.out, map, arguments.classes.catalog);
+  std::cout << arguments.out << ": " << map.bag.size() << " key frames, " << other.bag.size()
+            << " of them of " << arguments.other << ", whose world lies at "
+            << in_words(*alignment.T_a_b) << " (" << counts << ")\n";
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "merge", "Lays one map over another by what both saw, and makes them one");
+  const auto arguments = std::make_shared<MergeArguments>();
+  command.add_option("map", arguments->map, "SQLite map or snapshot, whose world stays")
+      ->required();
+  command.add_option("other", arguments->other, "The same, whose poses move")->required();
+  command
+      .add_option("--out", arguments->out,
+                  "Map to write: FILE.db for a durable one on SQLite, else a snapshot")
+      ->required();
+  add_classes_option(command, arguments->classes);
+  command.callback([arguments] { merge_maps(*arguments); });
+}
+
+}  // namespace program
