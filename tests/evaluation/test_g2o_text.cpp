@@ -63,9 +63,9 @@ EdgeVector g2o_error(const Eigen::Isometry3d& Z, const Eigen::Isometry3d& T_from
 /// A pose whose covariance, left and translation first, is that of `drawn` poses.
 PoseWithCovariance<> some_pose(std::mt19937& random) {
   std::normal_distribution<double> normal;
-  const EdgeMatrix root = EdgeMatrix::NullaryExpr([&] { return 0.004 * normal(random); });
+  const EdgeMatrix root = EdgeMatrix::NullaryExpr([&] { return 0.0004 * normal(random); });
   return {topobag_tests::random_pose(random),
-          root * root.transpose() + 1e-6 * EdgeMatrix::Identity()};
+          root * root.transpose() + 1e-8 * EdgeMatrix::Identity()};
 }
 
 Eigen::Isometry3d drawn(const PoseWithCovariance<>& pose, std::mt19937& random) {

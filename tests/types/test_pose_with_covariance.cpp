@@ -34,11 +34,11 @@ Eigen::Isometry3d somewhere(std::mt19937& random) {
   return motion_of(3.0 * e.head<3>(), e.tail<3>());
 }
 
-/// Centimetres and some tenths of a degree, correlated.
+/// Millimetres and hundredths of a degree, correlated: so small that the first order tells all.
 ErrorCovariance small_covariance(std::mt19937& random) {
   ErrorCovariance root;
-  for (Eigen::Index i = 0; i < 6; ++i) root.col(i) = 0.004 * normal_error(random);
-  return root * root.transpose() + 1e-6 * ErrorCovariance::Identity();
+  for (Eigen::Index i = 0; i < 6; ++i) root.col(i) = 0.0004 * normal_error(random);
+  return root * root.transpose() + 1e-8 * ErrorCovariance::Identity();
 }
 
 // What the names of sides and orders mean, written down once more by hand.
