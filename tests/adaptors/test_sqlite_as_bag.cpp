@@ -23,7 +23,8 @@ TEST_CASE("loops are found in a map on disk as in one in memory, without a copy"
   const ScratchFolder folder;
   SqliteBag<IndexedBag> map(folder.path("map.db"));
   IndexedBag memory;
-  LoopDetector durable(map), volatile_(memory);
+  LoopDetector durable(map);
+  LoopDetector in_memory(memory);
   std::mt19937 random(3);
   std::size_t loops = 0;
   for (unsigned i = 0; i < 60; ++i) {
@@ -31,13 +32,13 @@ TEST_CASE("loops are found in a map on disk as in one in memory, without a copy"
     const auto seen = SyntheticRoom(i % 3, 10, 8).seen_from(T_world_camera);
     const auto info = standing_at(Eigen::Translation3d(50.0 * (i % 3), 0, 0) * T_world_camera);
     const Recognition a = durable.detect_and_add(KeyframeId{i}, i, seen, info);
-    const Recognition b = volatile_.detect_and_add(KeyframeId{i}, i, seen, info);
+    const Recognition b = in_memory.detect_and_add(KeyframeId{i}, i, seen, info);
     REQUIRE(a.accepted.has_value() == b.accepted.has_value());
     if (!a) continue;
     ++loops;
     CHECK(a.accepted->id == b.accepted->id);
     CHECK(a.accepted->margin() == b.accepted->margin());
-    CHECK(durable.T_world_query(a)->T.isApprox(volatile_.T_world_query(b)->T, 1e-12));
+    CHECK(durable.T_world_query(a)->T.isApprox(in_memory.T_world_query(b)->T, 1e-12));
   }
   CHECK(loops > 20);
   CHECK(map.size() == 60);
@@ -83,7 +84,8 @@ TEST_CASE("a map on disk takes in another, with the names of its runs", "[sqlite
   CHECK(ids.at(KeyframeId{2}) == KeyframeId{8});
   CHECK(ids.at(KeyframeId{7}) == KeyframeId{7});
   const SqliteBag<> again(folder.path("ours.db"), read_only());
-  for (const SqliteBag<>* map : {&ours, &again}) {
+  const SqliteBag<>* const maps[] = {&ours, &again};
+  for (const SqliteBag<>* map : maps) {
     CHECK(map->size() == 4);
     CHECK(encode(*map->find(KeyframeId{8})) == encode(*theirs.find(KeyframeId{2})));
     CHECK(map->info(KeyframeId{8})->session == 2);
