@@ -24,9 +24,11 @@ struct LoopOptions {
 /// Recognises earlier places while a map grows, which is its own, or one that it refers to.
 ///
 ///     SqliteBag<> map("flat.db");
-///     LoopDetector loops(map);  // LoopDetector<> loops; has a map of its own
-///     for (each key frame)
-///       if (const Recognition r = loops.detect_and_add(id, stamp, graph)) close(id, r);
+///     LoopDetector loops(map);  // or LoopDetector<> loops; with a map of its own
+///     for (each key frame) {
+///       const Recognition loop = loops.detect_and_add(id, stamp, graph);
+///       if (loop) close(id, loop);
+///     }
 ///
 /// @tparam Bag_  a bag; with `&`, one that lives elsewhere and outlives the detector
 template <typename Bag_ = BagOfTopologyGraphs<>>

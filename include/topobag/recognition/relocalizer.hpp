@@ -20,14 +20,13 @@ inline namespace v0 {
 /// Finds a lost camera in a map, which is its own, or one that it refers to. With an `IndexedBag`,
 /// one thread may add to the map while others localize.
 ///
-///     Relocalizer<> relocalizer;               // with a map of its own
-///     for (each key frame of the map)
-///       relocalizer.map().add(id, graph, {stamp, session, T_world_camera});
-///     if (const Recognition r = relocalizer.localize(query_graph))
-///       use(r.accepted->pose->T_candidate_query);
+///     Relocalizer<> relocalizer;  // with a map of its own
+///     for (each key frame) relocalizer.map().add(id, graph, info);
+///     const Recognition found = relocalizer.localize(query_graph);
+///     if (found) use(found.accepted->pose->T_candidate_query);
 ///
 ///     SqliteBag<> map("flat.db");
-///     Relocalizer lost(map);                   // refers to the map, which has to outlive it
+///     Relocalizer lost(map);  // refers to a map that has to outlive it
 ///
 /// @tparam Bag_  a bag; with `&`, one that lives elsewhere: then a copy refers to the same
 template <typename Bag_ = BagOfTopologyGraphs<>>
