@@ -71,8 +71,7 @@ void merge_maps(const MergeArguments& arguments) {
   how.T_world_other = alignment.T_a_b->T;
   map.bag.merge(other.bag, how);
   for (const SavedSession& session : other.sessions) {
-    map.sessions.push_back(
-        {topobag::session_after(session.id, how.session_offset), session.name});
+    map.sessions.push_back({topobag::session_after(session.id, how.session_offset), session.name});
   }
   write_new_map(arguments.out, map, arguments.classes.catalog);
   std::cout << arguments.out << ": " << map.bag.size() << " key frames, " << other.bag.size()

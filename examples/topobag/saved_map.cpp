@@ -142,8 +142,7 @@ void write_saved_map(const std::string& path, const std::string& session,
   if (exists && !append) {
     throw InputError(path, "it exists; give --append to go on mapping, or another name");
   }
-  const bool sqlite =
-      exists ? kind_of(path) == MapKind::sqlite : is_sqlite_name(path);
+  const bool sqlite = exists ? kind_of(path) == MapKind::sqlite : is_sqlite_name(path);
   Bag bag = exists ? read_saved_map(path, catalog).bag : Bag();
   const Bag entries = new_entries(bag, keyframes);
   require_new(path, bag, entries);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Everything that a SLAM system needs, by Eigen alone: target `topobag::core`. The evaluation kit has
-/// an umbrella of its own, `evaluation.hpp`.
+/// Everything that a SLAM system needs, by Eigen alone: target `topobag::core`. The evaluation kit
+/// has an umbrella of its own, `evaluation.hpp`.
 #include <topobag/assert.hpp>
 #include <topobag/bag/atomic_file.hpp>
 #include <topobag/bag/bag_concepts.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The evaluation kit: trajectories, protocols, precision and recall, their files. Needs Eigen alone:
-/// target `topobag::evaluation`.
+/// The evaluation kit: trajectories, protocols, precision and recall, their files. Needs Eigen
+/// alone: target `topobag::evaluation`.
 #include <topobag/evaluation/alignment.hpp>
 #include <topobag/evaluation/association.hpp>
 #include <topobag/evaluation/bootstrap.hpp>

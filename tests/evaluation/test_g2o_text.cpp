@@ -73,8 +73,8 @@ Eigen::Isometry3d drawn(const PoseWithCovariance<>& pose, std::mt19937& random) 
   const EdgeMatrix root = pose.covariance.llt().matrixL();
   const EdgeVector xi = root * EdgeVector::NullaryExpr([&] { return normal(random); });
   const Eigen::Vector3d turn = xi.tail<3>();
-  return Eigen::Translation3d(xi.head<3>()) *
-         Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.T;
+  return Eigen::Translation3d(xi.head<3>()) * Eigen::AngleAxisd(turn.norm(), turn.normalized()) *
+         pose.T;
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ Error normal_error(std::mt19937& random) {
 Eigen::Isometry3d motion_of(const Eigen::Vector3d& translation, const Eigen::Vector3d& turn) {
   const double angle = turn.norm();
   return Eigen::Translation3d(translation) *
-         Eigen::AngleAxisd(angle, angle > 0.0 ? Eigen::Vector3d(turn / angle)
-                                              : Eigen::Vector3d::UnitX());
+         Eigen::AngleAxisd(angle,
+                           angle > 0.0 ? Eigen::Vector3d(turn / angle) : Eigen::Vector3d::UnitX());
 }
 
 Eigen::Isometry3d somewhere(std::mt19937& random) {
@@ -91,13 +91,12 @@ TEST_CASE("the covariance of another reading is that of errors read so", "[types
     const auto back = gtsam.as<LeftPose>();
     CHECK(back.covariance.isApprox(pose.covariance, 1e-9));
     const auto g2o = gtsam.as<G2oPose>();
-    CHECK(g2o.covariance.topLeftCorner<3, 3>().isApprox(
-        gtsam.covariance.bottomRightCorner<3, 3>(), 1e-9));
+    CHECK(g2o.covariance.topLeftCorner<3, 3>().isApprox(gtsam.covariance.bottomRightCorner<3, 3>(),
+                                                        1e-9));
     CHECK(g2o.covariance.topRightCorner<3, 3>().isApprox(gtsam.covariance.bottomLeftCorner<3, 3>(),
                                                          1e-9));
     const auto turn_first = pose.as<LeftTurnFirst>();
-    CHECK(turn_first.covariance.topLeftCorner<3, 3>() ==
-          pose.covariance.bottomRightCorner<3, 3>());
+    CHECK(turn_first.covariance.topLeftCorner<3, 3>() == pose.covariance.bottomRightCorner<3, 3>());
   }
 }
 
@@ -115,9 +114,8 @@ TEST_CASE("the covariance of an inverse and of a product is that of drawn poses"
     CHECK(product.T.isApprox(first.T * second.T, 1e-12));
     CHECK(misfit(inverse.covariance,
                  [&] { return left_error(inverse.T, draw_first().inverse()); }) < 0.1);
-    CHECK(misfit(product.covariance, [&] {
-            return left_error(product.T, draw_first() * draw_second());
-          }) < 0.1);
+    CHECK(misfit(product.covariance,
+                 [&] { return left_error(product.T, draw_first() * draw_second()); }) < 0.1);
     // The same in whatever reading it is worked out.
     const auto elsewhere = first.as<GtsamPose>() * second.as<GtsamPose>();
     CHECK(elsewhere.as<LeftPose>().covariance.isApprox(product.covariance, 1e-9));

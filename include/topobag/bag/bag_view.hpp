@@ -99,8 +99,8 @@ class BasicBagView {
     for (const detail::SealedPart& part : *parts_.sealed) {
       usage.graphs += part.segment->graph_bytes();
       usage.index += part.segment->index_bytes();
-      usage.entries += part.segment->entry_bytes() + part.infos->bytes() +
-                       (part.dead ? part.dead->bytes() : 0);
+      usage.entries +=
+          part.segment->entry_bytes() + part.infos->bytes() + (part.dead ? part.dead->bytes() : 0);
     }
     for (std::size_t slot = 0; slot < parts_.head_size; ++slot) {
       usage.graphs += (*parts_.head)[slot].graph.capacity();

@@ -17,7 +17,8 @@ struct AlignOptions {
   std::size_t max_keyframes = 300;   ///< of map b that are asked, spread evenly over all
   std::size_t min_matches = 3;       ///< key frames that have to agree
   double max_rival_share = 0.5;      ///< of so many, for another alignment, which then fits as well
-  double deviations = 3.0;  ///< σ of a match, by which its alignment may miss another match's camera
+  double deviations =
+      3.0;  ///< σ of a match, by which its alignment may miss another match's camera
 };
 
 /// What became of two maps.
@@ -45,7 +46,8 @@ struct MapAlignment {
 /// In one sentence. A string literal.
 constexpr const char* why(AlignmentVerdict verdict) noexcept {
   switch (verdict) {
-    case AlignmentVerdict::aligned: return "one alignment fits";
+    case AlignmentVerdict::aligned:
+      return "one alignment fits";
     case AlignmentVerdict::no_poses:
       return "a map has no key frame with a pose and three objects: there is nothing to align";
     case AlignmentVerdict::too_few:

@@ -33,8 +33,7 @@ inline Eigen::Matrix<double, 6, 6> adjoint(const Eigen::Isometry3d& T_a_b) {
 /// it to another reading. To first order in the error, as every covariance of a pose is.
 ///
 ///     const auto factor = pose.as<GtsamPose>();  // factor.T, factor.covariance
-template <ErrorSide Side = ErrorSide::left,
-          ErrorOrder Order = ErrorOrder::translation_rotation>
+template <ErrorSide Side = ErrorSide::left, ErrorOrder Order = ErrorOrder::translation_rotation>
 struct PoseWithCovariance {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -91,8 +90,7 @@ PoseWithCovariance<Side, Order> operator*(const PoseWithCovariance<Side, Order>&
   // Exp(ξ₁) · T₁ · Exp(ξ₂) · T₂ = Exp(ξ₁) · Exp(Ad(T₁) · ξ₂) · T₁ · T₂
   const Eigen::Matrix<double, 6, 6> Ad = adjoint(T_a_b.T);
   return PoseWithCovariance<Side, Order>::from_left(
-      T_a_b.T * T_b_c.T,
-      T_a_b.left_covariance() + Ad * T_b_c.left_covariance() * Ad.transpose());
+      T_a_b.T * T_b_c.T, T_a_b.left_covariance() + Ad * T_b_c.left_covariance() * Ad.transpose());
 }
 
 /// As the noise of GTSAM's factors over `Pose3`.

@@ -51,7 +51,8 @@ std::vector<MapSession> named_sessions(const Other&, long) {
   return {};
 }
 
-/// Notes runs under numbers that are `offset` higher; where there is one already, it keeps its name.
+/// Notes runs under numbers that are `offset` higher; where there is one already, it keeps its
+/// name.
 inline void note_sessions(const SqliteConnection& connection,
                           const std::vector<MapSession>& sessions, std::uint32_t offset) {
   SqliteStatement insert(connection, "INSERT OR IGNORE INTO session(id, name) VALUES(?, ?)");

@@ -82,8 +82,8 @@ class Segment {
            by_id_.capacity() * sizeof(std::uint32_t);
   }
   std::size_t entry_bytes() const noexcept {
-    return ids_.capacity() * sizeof(KeyframeId) +
-           begins_.capacity() * sizeof(std::uint32_t) + sizeof(*this);
+    return ids_.capacity() * sizeof(KeyframeId) + begins_.capacity() * sizeof(std::uint32_t) +
+           sizeof(*this);
   }
 
   template <typename Similarity>

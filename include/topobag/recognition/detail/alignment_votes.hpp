@@ -53,8 +53,8 @@ inline bool agrees(const PoseWithCovariance<>& T_a_b, const AlignmentVote& vote,
     moved.col(3 + i) = Eigen::Vector3d::Unit(i).cross(T_a_camera.translation());
   }
   const double variance = (moved * T_a_b.covariance * moved.transpose()).trace();
-  return between.translation().norm() <= options.recognition.place.distinct_translation +
-                                             options.deviations * std::sqrt(variance);
+  return between.translation().norm() <=
+         options.recognition.place.distinct_translation + options.deviations * std::sqrt(variance);
 }
 
 /// The votes that agree with an alignment.
