@@ -130,7 +130,6 @@ class BagOfTopologyGraphs {
   std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
     return places_.count().contents().holding(objects, groups, places());
   }
-
   /// The one kind of the descriptors that were added; of length 0 where none was.
   AppearanceKind appearance_kind() const noexcept { return appearance_kind_; }
 
