@@ -105,6 +105,7 @@ class LoopDetector {
 /// Of a map that lives elsewhere.
 template <typename Bag, std::enable_if_t<is_growing_bag_v<Bag>, int> = 0>
 explicit LoopDetector(Bag&) -> LoopDetector<Bag&>;
+/// The same with options.
 template <typename Bag, std::enable_if_t<is_growing_bag_v<Bag>, int> = 0>
 explicit LoopDetector(Bag&, LoopOptions) -> LoopDetector<Bag&>;
 

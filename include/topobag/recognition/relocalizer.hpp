@@ -96,6 +96,7 @@ class Relocalizer {
 /// Of a map that lives elsewhere.
 template <typename Bag, std::enable_if_t<is_look_up_bag_v<detail::PresentView<Bag>>, int> = 0>
 explicit Relocalizer(Bag&) -> Relocalizer<Bag&>;
+/// The same with options.
 template <typename Bag, std::enable_if_t<is_look_up_bag_v<detail::PresentView<Bag>>, int> = 0>
 explicit Relocalizer(Bag&, RecognitionOptions) -> Relocalizer<Bag&>;
 

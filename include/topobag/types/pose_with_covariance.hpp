@@ -16,7 +16,10 @@ enum class ErrorSide {
 };
 
 /// How the six numbers of ξ follow each other: translation in m, rotation vector in rad.
-enum class ErrorOrder { translation_rotation, rotation_translation };
+enum class ErrorOrder {
+  translation_rotation,  ///< topobag and g2o
+  rotation_translation,  ///< GTSAM
+};
 
 /// The matrix that takes errors in frame b, (translation, rotation), to those in frame a:
 /// T · Exp(ξ) = Exp(Ad(T) · ξ) · T. (Barfoot, State Estimation for Robotics, 7.45.)
