@@ -37,17 +37,16 @@ inline namespace v0 {
 ///
 /// It is a bag as every other is, and holds graphs as the file does, that is, after `encode` and
 /// `decode`. Reading asks a bag in memory: with `SqliteBag<IndexedBag>`, one thread may add while
-/// others localize. One process writes,
-/// others may read at the same time, each what there was when it opened the file. Every error
-/// begins with the file's name. (Tables: `examples/docs/format.md`.)
+/// others localize. One process writes, others may read at the same time, each what there was when
+/// it opened the file. Every error begins with the file's name. (Tables:
+/// `examples/docs/format.md`.)
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   using Memory = detail::ReadsFromMemory<Bag_>;
   using Memory::bag_;
   static_assert(is_durable_bag_v<Bag_>,
                 "topobag: a bag over SQLite has Graph = TopologyGraph<Scalar>, "
-                "contains(KeyframeId) const, add(KeyframeId, "
-                "Graph, EntryInfo), the same update, and erase(KeyframeId) -> bool.");
+                "contains(KeyframeId) const, add(KeyframeId, Graph, EntryInfo), the same update, and erase(KeyframeId) -> bool.");
 
  public:
   using Bag = Bag_;
