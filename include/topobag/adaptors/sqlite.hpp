@@ -46,7 +46,8 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   using Memory::bag_;
   static_assert(is_durable_bag_v<Bag_>,
                 "topobag: a bag over SQLite has Graph = TopologyGraph<Scalar>, "
-                "contains(KeyframeId) const, add(KeyframeId, Graph, EntryInfo), the same update, and erase(KeyframeId) -> bool.");
+                "contains(KeyframeId) const, add(KeyframeId, Graph, EntryInfo), the same "
+                "update, and erase(KeyframeId) -> bool.");
 
  public:
   using Bag = Bag_;
