@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+
+// ---- The page: one state, and everything that is drawn of it
+class MapPage {
+  constructor(json) {
+    const byId = (id) => document.getElementById(id);
+    const map = this.map = new MapData(json);
+    const state = this.state = new ViewState(map);
+    this.canvas = byId('scene');
+    this.hint = byId('hint');
+    this.camera = new OrbitCamera(this.canvas, () => this.requestDraw());
+    this.scene = new Scene(this.canvas, map, this.camera);
+    this.lines = new ChosenLines(this.scene, state);
+    this.labels = new Labels(byId('labels'), this.scene, state);
+    this.pointing = new Pointing(this.scene, state);
+    this.details = new Details(map, state);
+    this.matchList = new MatchList(map, state);
+    this.timeline = new Timeline(map, state, (part) => this.showPart(part));
+    this.tell();
+    this.theme = new Theme(byId('theme'), () => this.recolor());
+    this.classes = new ClassList(map, state, () => state.change({}));
+    Object.assign(state, { onChange: () => this.refill(), onChoice: (...a) => this.show(...a) });
+    this.listen(byId);
+    this.showPart(0);
+    this.refill();
+  }
+
+  // What the page is of, in its heading.
+  tell() {
+    const { map } = this;
+    document.getElementById('title').textContent = map.title;
+    const counts = [plural(map.objectCount, 'object'),
+      `${map.classes.length} ${map.classes.length === 1 ? 'class' : 'classes'}`,
+      plural(map.keyframeCount, 'key frame')];
+    if (map.json.without_pose) counts.push(`${plural(map.json.without_pose, 'more')} without a pose`);
+    document.getElementById('counts').textContent = counts.join(' · ');
+    document.getElementById('least').max = Math.max(2, Math.min(20, Math.max(...map.seen)));
+  }
+
+  listen(byId) {
+    const { state, canvas } = this;
+    for (const [id, name] of [['show-keyframes', 'showKeyframes'], ['show-names', 'showNames'],
+      ['show-matches', 'showMatches']]) {
+      byId(id).addEventListener('change', (event) => state.change({ [name]: event.target.checked }));
+    }
+    byId('least').addEventListener('input', (event) => {
+      byId('least-value').textContent = event.target.value;
+      state.change({ least: Number(event.target.value) });
+    });
+    byId('home').addEventListener('click', () => this.showPart(this.map.partOf(state.keyframe)));
+    byId('above').addEventListener('click', () => this.camera.flyTo({ elevation: 1.56 }));
+    byId('help').addEventListener('click', () => byId('keys').showModal());
+    canvas.addEventListener('pointermove', (event) => this.hover(event));
+    canvas.addEventListener('pointerleave', () => this.setHovered(null));
+    canvas.addEventListener('click', (event) => {
+      if (!this.camera.dragged) state.choose(this.pointing.at(event.offsetX, event.offsetY));
+    });
+    canvas.addEventListener('dblclick', (event) => {
+      const thing = this.pointing.at(event.offsetX, event.offsetY);
+      if (thing) state.choose(thing, true);
+    });
+    canvas.addEventListener('keydown', (event) => this.pressCanvas(event));
+    addEventListener('keydown', (event) => this.press(event));
+    addEventListener('resize', () => this.requestDraw());
+  }
+
+  // Keys that mean the same everywhere but where one types.
+  press(event) {
+    if (event.target.matches('input[type=search]') || event.ctrlKey || event.metaKey) return;
+    const keys = {
+      '/': () => document.getElementById('search').focus(),
+      '?': () => document.getElementById('keys').showModal(),
+      n: () => this.timeline.step(1), p: () => this.timeline.step(-1),
+      m: () => this.matchList.step(1), M: () => this.matchList.step(-1),
+      h: () => this.showPart(this.map.partOf(this.state.keyframe)),
+      t: () => this.camera.flyTo({ elevation: 1.56 }),
+      Escape: () => this.state.choose(null),
+    };
+    if (!(event.key in keys) || document.getElementById('keys').open) return;
+    event.preventDefault();
+    keys[event.key]();
+  }
+
+  pressCanvas(event) {
+    const camera = this.camera;
+    const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    if (event.key in arrows) {
+      const [right, down] = arrows[event.key];
+      if (event.shiftKey) camera.pan(40 * right, 40 * down);
+      else camera.turn(-0.12 * right, 0.08 * down);
+    } else if (event.key === '+' || event.key === '=') camera.zoom(0.85);
+    else if (event.key === '-') camera.zoom(1 / 0.85);
+    else return;
+    event.preventDefault();
+  }
+
+  hover(event) {
+    if (this.camera.pointers.size || this.hoverAsked) return;
+    this.hoverAsked = true;
+    requestAnimationFrame(() => {
+      this.hoverAsked = false;
+      this.setHovered(this.pointing.at(event.offsetX, event.offsetY));
+      this.hint.style.transform = `translate(${event.clientX + 14}px, ${event.clientY + 14}px)`;
+    });
+  }
+
+  setHovered(thing) {
+    if (JSON.stringify(thing) === JSON.stringify(this.state.hovered)) return;
+    this.state.hovered = thing;
+    this.canvas.style.cursor = thing ? 'pointer' : 'grab';
+    this.hint.hidden = !thing;
+    if (thing) this.hint.textContent = this.nameOf(thing);
+    this.lines.fill();
+    this.requestDraw();
+  }
+
+  nameOf({ kind, index }) {
+    const { map } = this;
+    if (kind === 'object') {
+      return `${map.classes[map.label[index]]}, held by ${plural(map.seen[index], 'key frame')}`;
+    }
+    if (kind === 'keyframe') return `key frame ${map.name[index]}`;
+    const match = map.matches[index];
+    return `match ${match.name} → ${map.name[match.candidate]}, ${verdictOf(match).text}`;
+  }
+
+  showPart(part) {
+    const { center, radius } = this.map.ballOf(part);
+    this.camera.flyTo({ target: center, distance: 2.6 * radius });
+  }
+
+  // After a choice: says it, and moves the picture where that was asked for.
+  show(thing, fly) {
+    document.getElementById('said').textContent = thing ? this.nameOf(thing) : '';
+    if (!thing || !fly) return;
+    const { map } = this;
+    if (thing.kind === 'object') {
+      const size = norm(pointAt(map.half, thing.index));
+      this.camera.flyTo({ target: pointAt(map.position, thing.index),
+        distance: Math.max(8 * size, 12 * map.coneLength) });
+      return;
+    }
+    const match = map.matches[thing.index];
+    const points = thing.kind === 'keyframe' ? [pointAt(map.camera, thing.index),
+      ...map.objectsOf[thing.index].map((object) => pointAt(map.position, object))] :
+      [match.camera, map.queryPlace(match), pointAt(map.camera, match.candidate),
+        ...match.matched.filter(({ object }) => object !== null)
+          .map(({ object }) => pointAt(map.position, object))];
+    const target = scaled(points.reduce(add), 1 / points.length);
+    const radius = Math.max(...points.map((point) => norm(sub(point, target))));
+    this.camera.flyTo({ target, distance: 2.8 * Math.max(radius, map.coneLength) });
+  }
+
+  // Follows the chosen key frame where it has left the middle of the picture.
+  follow() {
+    if (!this.scene.toClip || this.followed === this.state.keyframe) return;
+    this.followed = this.state.keyframe;
+    const place = pointAt(this.map.camera, this.state.keyframe);
+    const at = this.scene.onScreen(place);
+    const { clientWidth, clientHeight } = this.canvas;
+    const inside = at && at[0] > 0.1 * clientWidth && at[0] < 0.9 * clientWidth &&
+      at[1] > 0.1 * clientHeight && at[1] < 0.9 * clientHeight;
+    if (!inside) this.camera.flyTo({ target: place });
+  }
+
+  recolor() {
+    this.scene.readColors(this.theme?.dark ?? matchMedia('(prefers-color-scheme: dark)').matches);
+    this.refill();
+  }
+
+  // Everything that depends on the state, then a picture.
+  refill() {
+    const { scene, state, map } = this;
+    if (!this.classes) return;
+    const { classColors, colors } = scene;
+    scene.boxes.fill(map, state.shownObjects, (object) => {
+      const color = classColors[map.label[object]];
+      return state.dimmed(object) ? mix(color, colors.page, 0.82) : color;
+    });
+    this.fillPath();
+    this.fillArcs();
+    this.lines.fill();
+    this.classes.draw(classColors);
+    this.details.draw();
+    this.matchList.draw();
+    this.timeline.draw();
+    this.follow();
+    this.requestDraw();
+  }
+
+  fillPath() {
+    const { scene, state, map } = this;
+    const quiet = state.chosen?.kind === 'match' ? 0.3 : 1;
+    const cones = state.showKeyframes ? state.shownKeyframes.map((i) => ({
+      place: pointAt(map.camera, i), turn: map.rotation.subarray(4 * i, 4 * i + 4),
+      color: [...scene.colors.cone, 0.7 * quiet],
+    })) : [];
+    const queries = state.shownMatches.map((i) => map.matches[i]).filter((m) => m.query === null);
+    cones.push(...queries.map((match) => ({ place: match.camera, turn: match.turn,
+      color: [...scene.colors[verdictOf(match).color], quiet] })));
+    scene.cones.fill(cones);
+    const starts = new Set(map.partStarts);
+    scene.path.fill(state.showKeyframes ? state.shownKeyframes.filter((i) => !starts.has(i))
+      .map((i) => ({ a: pointAt(map.camera, i - 1), b: pointAt(map.camera, i),
+        color: [...scene.colors.path, quiet], width: 2 })) : []);
+  }
+
+  fillArcs() {
+    const { scene, state, map } = this;
+    const chosen = state.chosen?.kind === 'match' ? state.chosen.index : null;
+    scene.arcs.fill(state.shownMatches.map((i) => {
+      const match = map.matches[i];
+      const { color, dash } = verdictOf(match);
+      const opacity = chosen === null ? 0.8 : chosen === i ? 1 : 0.12;
+      return { a: map.queryPlace(match), b: pointAt(map.camera, match.candidate), dash,
+        color: [...scene.colors[color], opacity], width: chosen === i ? 3 : 1.6, bow: bowShare };
+    }));
+  }
+
+  requestDraw() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.labels.draw(this.scene.draw());
+    });
+  }
+}
+
+try {
+  new MapPage(JSON.parse(document.getElementById('map-data').textContent));
+} catch (error) {
+  document.getElementById('failure').hidden = false;
+  document.getElementById('failure').textContent = `The map cannot be shown: ${error.message}`;
+  throw error;
+}
