@@ -28,6 +28,11 @@ struct ViewArguments {
   ImageSize image_size;
 };
 
+/// The camera that was given, with its image's size; without a focal length where none was.
+topobag::PinholeCamera<> camera_of(const ViewArguments& arguments) {
+  return with_size(arguments.keyframes.camera, arguments.image_size);
+}
+
 /// The map, and what was found of the key frames that are to be looked up in it.
 RecognitionRun viewed_run(const ViewArguments& arguments) {
   const bool is_table = !is_saved_map(arguments.tables.map);
@@ -40,7 +45,7 @@ RecognitionRun viewed_run(const ViewArguments& arguments) {
     look_up_in_map(run);
   } else {
     KeyframeOptions options = arguments.keyframes;
-    options.camera = with_size(options.camera, arguments.image_size);
+    options.camera = camera_of(arguments);
     run.classes = options.classes;
     run.map_set = run.query_set = set_name(arguments.tables.map);
     run.map = read_map(arguments.tables.map, options);
@@ -56,7 +61,7 @@ RecognitionRun viewed_run(const ViewArguments& arguments) {
 void view(const ViewArguments& arguments) {
   const RecognitionRun run = viewed_run(arguments);
   const Json shown =
-      map_view(run, arguments.keyframes.camera, arguments.keyframes.gravity.world_up);
+      map_view(run, camera_of(arguments), arguments.keyframes.gravity.world_up);
   write_file(arguments.out, view_page(shown));
   std::cout << arguments.out << ": " << shown.at("keyframes").at("name").size() << " key frames, "
             << shown.at("objects").at("class").size() << " objects, " << shown.at("matches").size()

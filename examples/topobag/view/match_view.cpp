@@ -32,7 +32,7 @@ std::string sentence(const RecognitionRun& run, std::size_t query,
                      const topobag::CandidateReport& report,
                      const topobag::CandidateExplanation& why) {
   const Keyframe& place = run.map[topobag::value(report.id)];
-  std::string text = name_of(run.queries[query]) + " was taken where " + name_of(place) +
+  std::string text = "Key frame " + name_of(run.queries[query]) + " was taken where " + name_of(place) +
                      " was: " + counted(why.matched, [](const auto& m) { return m.query_class; }) +
                      " lie alike, and the odds that chance made them do so are 1 to 10^" +
                      fixed_text(report.score(), 1) + ", where 1 to 10^" +

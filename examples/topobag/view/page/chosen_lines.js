@@ -64,7 +64,6 @@ class ChosenLines {
       const b = pointAt(map.position, object);
       lines.push({ a: place, b, color: [...color, 0.9], width: 1.6 });
       lines.push({ a: candidate, b, color: [...scene.colors.text, 0.5], width: 1, dash: 4 });
-      this.markObject(object);
     }
     for (const { class: name, place: at } of match.missing) {
       const half = map.coneLength / 3;

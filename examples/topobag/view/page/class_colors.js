@@ -27,8 +27,8 @@ const classColors = (countOf, dark) => {
   const ranked = countOf.map((_, i) => i).sort((a, b) => countOf[b] - countOf[a] || a - b);
   const colors = [];
   ranked.forEach((label, rank) => {
-    const lightness = (dark ? 0.76 : 0.64) + [0, 0.07, -0.07][rank % 3];
-    colors[label] = oklch(lightness, 0.13, 250 + 137.508 * rank);
+    const lightness = (dark ? 0.74 : 0.69) + [0, 0.07, -0.07][rank % 3];
+    colors[label] = oklch(lightness, dark ? 0.12 : 0.125, 250 + 137.508 * rank);
   });
   return colors;
 };

@@ -8,6 +8,7 @@ const element = (tag, properties = {}, ...children) => {
 };
 const metres = (value) => `${value.toFixed(value < 10 ? 2 : 1)} m`;
 const seconds = (value) => `${value.toFixed(1)} s`;
+const short = (value) => (Number.isInteger(value) ? value : value.toFixed(2)).toString();
 const plural = (count, noun) => `${count.toLocaleString('en')} ${noun}${count === 1 ? '' : 's'}`;
 
 // Text with powers of ten raised: 10^6.1.
@@ -116,8 +117,8 @@ class Details {
       this.numbers(rows),
       element('h3', {}, 'What was asked of it'),
       this.table(['', 'has', 'asked'], match.stages.map((stage) => [stage.name,
-        stage.value.toFixed(2) + stage.unit, ('at_least' in stage ? '≥ ' : '≤ ') +
-          (stage.at_least ?? stage.at_most).toFixed(2) + stage.unit])),
+        short(stage.value) + stage.unit, ('at_least' in stage ? '≥ ' : '≤ ') +
+          short(stage.at_least ?? stage.at_most) + stage.unit])),
       element('h3', {}, `Objects that agree: ${match.matched.length}`),
       this.table(['', 'off by'], match.matched.map((object) => [object.object === null ?
         object.class : this.link(object.class, { kind: 'object', index: object.object }),

@@ -14,19 +14,25 @@ class Labels {
     });
   }
 
-  draw(frame) {
+  // A quick picture has no names but those of what is chosen.
+  draw(frame, quick) {
     const { scene, state } = this;
     const taken = [];
     let used = 0;
     const place = (text, point, color, strong) => {
       const at = scene.onScreen(point);
       if (!at || used >= this.pool.length) return;
-      const [x, y] = [Math.round(at[0]), Math.round(at[1])];
+      const [x, onTop] = [Math.round(at[0]), Math.round(at[1])];
       const half = 3.6 * text.length + 14;
-      const box = [x - half, y - 22, x + half, y];
+      let box, y = onTop + 22;
+      const covered = () => taken.some((other) => box[0] < other[2] && other[0] < box[2] &&
+        box[1] < other[3] && other[1] < box[3]);
+      do {  // what has to be named goes above what is there
+        y -= 22;
+        box = [x - half, y - 20, x + half, y];
+      } while (strong && y > 40 && covered());
       if (x < 0 || y < 0 || x > frame.viewport[0] || y > frame.viewport[1]) return;
-      if (!strong && taken.some((other) => box[0] < other[2] && other[0] < box[2] &&
-          box[1] < other[3] && other[1] < box[3])) return;
+      if (!strong && covered()) return;
       taken.push(box);
       const label = this.pool[used++];
       label.hidden = false;
@@ -36,7 +42,7 @@ class Labels {
       label.className = strong ? 'strong' : '';
     };
     for (const { text, point, color } of state.marks) place(text, point, color, true);
-    if (state.showNames) {
+    if (state.showNames && !quick) {
       for (const object of this.largest(frame)) {
         this.placeObject(place, object);
         if (used >= mostLabels) break;

@@ -6,44 +6,39 @@ const bowed = (a, b, bow, share) =>
   add(mix(a, b, share), [0, 0, 4 * share * (1 - share) * bow * norm(sub(b, a))]);
 
 class LineStrips {
-  constructor(gl, segments) {
-    this.segments = segments;
-    this.shader = new Shader(gl, `
-      layout(location = 0) in vec3 a;
-      layout(location = 1) in vec3 b;
-      layout(location = 2) in vec4 color;
-      layout(location = 3) in vec3 shape;  // width px, dash px, bow
+  constructor(gl, segments, bow = 0) {
+    Object.assign(this, { gl, bow, vertices: 6 * segments });
+    this.shader = new Shader(gl, `${recordReader}
+      const int segments = ${segments};
       uniform mat4 toClip;
       uniform vec2 viewport;
+      uniform float bow;
       out vec4 ink;
       out float along;
       out float dash;
-      vec4 at(float share) {
-        vec3 point = mix(a, b, share);
-        point.z += 4.0 * share * (1.0 - share) * shape.z * distance(a, b);
-        return toClip * vec4(point, 1);
-      }
       void main() {
-        float segments = ${segments}.0;
-        float step = float(gl_VertexID / 2);
-        float side = gl_VertexID % 2 == 0 ? -1.0 : 1.0;
-        vec4 here = at(step / segments);
-        vec4 other = at((step + (step < segments ? 1.0 : -1.0)) / segments);
-        float nearest = 1e-3;
-        if (here.w < nearest && other.w > nearest) {
-          here = mix(here, other, (nearest - here.w) / (other.w - here.w));
-        }
-        vec2 from = here.xy / here.w * viewport;
-        vec2 to = other.xy / max(other.w, nearest) * viewport;
-        vec2 direction = normalize(to - from + vec2(1e-6, 0)) * (step < segments ? 1.0 : -1.0);
-        vec2 normal = vec2(-direction.y, direction.x);
-        gl_Position = here;
-        gl_Position.xy += side * shape.x * normal / viewport * here.w;
-        gl_Position.z -= 1e-4 * here.w;
-        vec4 start = at(0.0);
-        along = length(from - start.xy / max(start.w, nearest) * viewport) / 2.0;
-        dash = shape.y;
-        ink = color;
+        vec4 from = record(6 * segments, 0), to = record(6 * segments, 1);
+        vec3 a = from.xyz, b = to.xyz;
+        float rise = 4.0 * bow * distance(a, b);
+        int segment = gl_VertexID % (6 * segments) / 6, corner = gl_VertexID % 6;
+        bool second = corner == 1 || corner == 3 || corner == 4;
+        float side = corner == 2 || corner == 4 || corner == 5 ? 1.0 : -1.0;
+        float here = float(segment + (second ? 1 : 0)) / float(segments);
+        float there = float(segment + (second ? 0 : 1)) / float(segments);
+        vec4 p = toClip * vec4(mix(a, b, here) + vec3(0, 0, here * (1.0 - here) * rise), 1);
+        vec4 q = toClip * vec4(mix(a, b, there) + vec3(0, 0, there * (1.0 - there) * rise), 1);
+        const float nearest = 1e-3;
+        if (p.w < nearest && q.w > nearest) p = mix(p, q, (nearest - p.w) / (q.w - p.w));
+        vec2 onScreen = p.xy / p.w * viewport;
+        vec2 direction = q.xy / max(q.w, nearest) * viewport - onScreen;
+        direction = normalize(direction + vec2(1e-6, 0)) * (second ? -1.0 : 1.0);
+        gl_Position = p;
+        gl_Position.xy += side * from.w * vec2(-direction.y, direction.x) / viewport * p.w;
+        gl_Position.z -= 1e-4 * p.w;
+        vec4 start = toClip * vec4(a, 1);
+        along = length(onScreen - start.xy / max(start.w, nearest) * viewport) / 2.0;
+        dash = to.w;
+        ink = record(6 * segments, 2);
       }`, `
       in vec4 ink;
       in float along;
@@ -53,24 +48,20 @@ class LineStrips {
         if (dash > 0.0 && mod(along, 2.0 * dash) > dash) discard;
         pixel = ink;
       }`);
-    this.instances = new Instances(gl, [3, 3, 4, 3]);
-    this.gl = gl;
+    this.records = new Records(gl);
   }
 
   // Each from a to b, with a color and its opacity; width and dash in px.
   fill(lines) {
-    const numbers = new Float32Array(13 * lines.length);
-    lines.forEach(({ a, b, color, width = 1.5, dash = 0, bow = 0 }, i) => {
-      numbers.set(a, 13 * i);
-      numbers.set(b, 13 * i + 3);
-      numbers.set(color, 13 * i + 6);
-      numbers.set([width, dash, bow], 13 * i + 10);
+    const numbers = this.records.reserve(lines.length);
+    lines.forEach(({ a, b, color, width = 1.5, dash = 0 }, i) => {
+      numbers.set([...a, width, ...b, dash, ...color], recordSize * i);
     });
-    this.instances.fill(numbers);
+    this.records.send(lines.length);
   }
 
   draw(frame) {
-    this.shader.use(frame.uniforms(['toClip', 'viewport']));
-    this.instances.draw(this.gl.TRIANGLE_STRIP, 2 * (this.segments + 1));
+    this.shader.use({ ...frame.uniforms(['toClip', 'viewport']), bow: this.bow });
+    this.records.draw(this.gl.TRIANGLES, this.vertices);
   }
 }

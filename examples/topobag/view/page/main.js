@@ -10,6 +10,7 @@ class MapPage {
     this.hint = byId('hint');
     this.camera = new OrbitCamera(this.canvas, () => this.requestDraw());
     this.scene = new Scene(this.canvas, map, this.camera);
+    this.pace = new Pace();
     this.lines = new ChosenLines(this.scene, state);
     this.labels = new Labels(byId('labels'), this.scene, state);
     this.pointing = new Pointing(this.scene, state);
@@ -21,6 +22,7 @@ class MapPage {
     this.classes = new ClassList(map, state, () => state.change({}));
     Object.assign(state, { onChange: () => this.refill(), onChoice: (...a) => this.show(...a) });
     this.listen(byId);
+    this.leaveRoom();
     this.showPart(0);
     this.refill();
   }
@@ -28,13 +30,29 @@ class MapPage {
   // What the page is of, in its heading.
   tell() {
     const { map } = this;
-    document.getElementById('title').textContent = map.title;
+    document.getElementById('title').textContent = map.title.replace(/[._]/g, '$&\u200b');
     const counts = [plural(map.objectCount, 'object'),
       `${map.classes.length} ${map.classes.length === 1 ? 'class' : 'classes'}`,
       plural(map.keyframeCount, 'key frame')];
     if (map.json.without_pose) counts.push(`${plural(map.json.without_pose, 'more')} without a pose`);
     document.getElementById('counts').textContent = counts.join(' · ');
     document.getElementById('least').max = Math.max(2, Math.min(20, Math.max(...map.seen)));
+  }
+
+  // The picture's middle is that of what the panels leave free.
+  leaveRoom() {
+    const beside = innerWidth > 760;
+    const [side, time] = ['side', 'time'].map((id) => document.getElementById(id));
+    Object.assign(this.camera.covered, {
+      left: beside ? side.offsetLeft + side.offsetWidth : 0, bottom: beside ? time.offsetHeight : 0,
+    });
+    this.requestDraw();
+  }
+
+  // What the card covers on the right, where it is open.
+  get cardWidth() {
+    const card = document.getElementById('details');
+    return card.hidden || innerWidth <= 760 ? 0 : card.offsetWidth;
   }
 
   listen(byId) {
@@ -48,7 +66,7 @@ class MapPage {
       state.change({ least: Number(event.target.value) });
     });
     byId('home').addEventListener('click', () => this.showPart(this.map.partOf(state.keyframe)));
-    byId('above').addEventListener('click', () => this.camera.flyTo({ elevation: 1.56 }));
+    byId('above').addEventListener('click', () => this.seeFromAbove());
     byId('help').addEventListener('click', () => byId('keys').showModal());
     canvas.addEventListener('pointermove', (event) => this.hover(event));
     canvas.addEventListener('pointerleave', () => this.setHovered(null));
@@ -61,7 +79,7 @@ class MapPage {
     });
     canvas.addEventListener('keydown', (event) => this.pressCanvas(event));
     addEventListener('keydown', (event) => this.press(event));
-    addEventListener('resize', () => this.requestDraw());
+    addEventListener('resize', () => this.leaveRoom());
   }
 
   // Keys that mean the same everywhere but where one types.
@@ -73,7 +91,7 @@ class MapPage {
       n: () => this.timeline.step(1), p: () => this.timeline.step(-1),
       m: () => this.matchList.step(1), M: () => this.matchList.step(-1),
       h: () => this.showPart(this.map.partOf(this.state.keyframe)),
-      t: () => this.camera.flyTo({ elevation: 1.56 }),
+      t: () => this.seeFromAbove(),
       Escape: () => this.state.choose(null),
     };
     if (!(event.key in keys) || document.getElementById('keys').open) return;
@@ -124,9 +142,11 @@ class MapPage {
     return `match ${match.name} → ${map.name[match.candidate]}, ${verdictOf(match).text}`;
   }
 
+  seeFromAbove() { this.camera.flyTo({ elevation: 1.56, right: this.cardWidth }); }
+
   showPart(part) {
     const { center, radius } = this.map.ballOf(part);
-    this.camera.flyTo({ target: center, distance: 2.6 * radius });
+    this.camera.flyTo({ target: center, distance: 2.6 * radius, right: this.cardWidth });
   }
 
   // After a choice: says it, and moves the picture where that was asked for.
@@ -137,7 +157,7 @@ class MapPage {
     if (thing.kind === 'object') {
       const size = norm(pointAt(map.half, thing.index));
       this.camera.flyTo({ target: pointAt(map.position, thing.index),
-        distance: Math.max(8 * size, 12 * map.coneLength) });
+        distance: Math.max(8 * size, 12 * map.coneLength), right: this.cardWidth });
       return;
     }
     const match = map.matches[thing.index];
@@ -148,7 +168,8 @@ class MapPage {
           .map(({ object }) => pointAt(map.position, object))];
     const target = scaled(points.reduce(add), 1 / points.length);
     const radius = Math.max(...points.map((point) => norm(sub(point, target))));
-    this.camera.flyTo({ target, distance: 2.8 * Math.max(radius, map.coneLength) });
+    this.camera.flyTo({ target, distance: 3.2 * Math.max(radius, map.coneLength),
+      right: this.cardWidth });
   }
 
   // Follows the chosen key frame where it has left the middle of the picture.
@@ -160,7 +181,7 @@ class MapPage {
     const { clientWidth, clientHeight } = this.canvas;
     const inside = at && at[0] > 0.1 * clientWidth && at[0] < 0.9 * clientWidth &&
       at[1] > 0.1 * clientHeight && at[1] < 0.9 * clientHeight;
-    if (!inside) this.camera.flyTo({ target: place });
+    if (!inside) this.camera.flyTo({ target: place, right: this.cardWidth });
   }
 
   recolor() {
@@ -208,21 +229,25 @@ class MapPage {
   fillArcs() {
     const { scene, state, map } = this;
     const chosen = state.chosen?.kind === 'match' ? state.chosen.index : null;
+    const usual = Math.min(0.85, Math.max(0.35, 4 / Math.sqrt(state.shownMatches.length)));
     scene.arcs.fill(state.shownMatches.map((i) => {
       const match = map.matches[i];
       const { color, dash } = verdictOf(match);
-      const opacity = chosen === null ? 0.8 : chosen === i ? 1 : 0.12;
+      const opacity = chosen === null ? usual : chosen === i ? 1 : 0.12;
       return { a: map.queryPlace(match), b: pointAt(map.camera, match.candidate), dash,
-        color: [...scene.colors[color], opacity], width: chosen === i ? 3 : 1.6, bow: bowShare };
+        color: [...scene.colors[color], opacity], width: chosen === i ? 3 : 1.6 };
     }));
   }
 
-  requestDraw() {
+  requestDraw(atRest = false) {
     if (this.asked) return;
     this.asked = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((now) => {
       this.asked = false;
-      this.labels.draw(this.scene.draw());
+      const quick = this.pace.step(now, atRest);
+      this.labels.draw(this.scene.draw(quick), quick);
+      clearTimeout(this.rest);
+      if (quick) this.rest = setTimeout(() => this.requestDraw(true), 300);
     });
   }
 }

@@ -5,7 +5,7 @@ class OrbitCamera {
   constructor(canvas, onChange) {
     Object.assign(this, {
       canvas, onChange, target: [0, 0, 0], distance: 5, azimuth: -2.2, elevation: 0.6,
-      angle: 0.85, moved: 0, pointers: new Map(), flight: 0,
+      angle: 0.85, moved: 0, pointers: new Map(), flight: 0, covered: { left: 0, right: 0, bottom: 0 },
     });
     canvas.addEventListener('pointerdown', (event) => this.press(event));
     canvas.addEventListener('pointermove', (event) => this.drag(event));
@@ -33,11 +33,34 @@ class OrbitCamera {
     return [right, cross(this.away, right), this.away];
   }
 
-  toClip(aspect) {
-    const near = this.distance * 0.02;
-    const far = this.distance * 60;
-    return matrixProduct(perspective(this.angle, aspect, near, far),
+  // By how much the target is off the canvas' middle, as a share of its half: so much is covered.
+  get shift() {
+    const { left, right, bottom } = this.covered;
+    return [(left - right) / this.canvas.clientWidth, bottom / this.canvas.clientHeight];
+  }
+
+  get toClip() {
+    const [near, far] = [this.distance * 0.02, this.distance * 60];
+    const aspect = this.canvas.clientWidth / this.canvas.clientHeight;
+    const matrix = matrixProduct(perspective(this.angle, aspect, near, far),
       lookingAt(this.eye, ...this.axes));
+    const [right, up] = this.shift;
+    for (let column = 0; column < 16; column += 4) {
+      matrix[column] += right * matrix[column + 3];
+      matrix[column + 1] += up * matrix[column + 3];
+    }
+    return matrix;
+  }
+
+  // The unit vector from the eye through a pixel of the canvas.
+  rayThrough(x, y) {
+    const { clientWidth, clientHeight } = this.canvas;
+    const [shiftRight, shiftUp] = this.shift;
+    const tall = Math.tan(this.angle / 2);
+    const across = (2 * x / clientWidth - 1 - shiftRight) * tall * clientWidth / clientHeight;
+    const [right, up, back] = this.axes;
+    return unit(add(add(scaled(right, across),
+      scaled(up, (1 - 2 * y / clientHeight - shiftUp) * tall)), scaled(back, -1)));
   }
 
   changed() {
@@ -96,9 +119,10 @@ class OrbitCamera {
 
   // Goes there, at once where the reader wants no motion.
   flyTo({ target = this.target, distance = this.distance, elevation = this.elevation,
-    azimuth = this.azimuth }) {
-    const from = [...this.target, Math.log(this.distance), this.elevation, this.azimuth];
-    const to = [...target, Math.log(distance), elevation, azimuth];
+    azimuth = this.azimuth, right = 0 }) {
+    const from = [...this.target, Math.log(this.distance), this.elevation, this.azimuth,
+      this.covered.right];
+    const to = [...target, Math.log(distance), elevation, azimuth, right];
     const flight = this.flight = Math.random();
     const begun = performance.now();
     const length = matchMedia('(prefers-reduced-motion: reduce)').matches ? 1 : 350;
@@ -108,7 +132,7 @@ class OrbitCamera {
       const at = mix(from, to, share * share * (3 - 2 * share));
       this.target = at.slice(0, 3);
       this.distance = Math.exp(at[3]);
-      [this.elevation, this.azimuth] = at.slice(4);
+      [this.elevation, this.azimuth, this.covered.right] = at.slice(4);
       this.onChange();
       if (share < 1) requestAnimationFrame(step);
     };

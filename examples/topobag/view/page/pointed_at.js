@@ -51,13 +51,8 @@ class Pointing {
   // The first box that the ray through the pixel meets.
   object(x, y) {
     const { scene, state } = this;
-    const { map, camera, canvas } = scene;
-    const [right, up, back] = camera.axes;
-    const tall = Math.tan(camera.angle / 2);
-    const across = (2 * x / canvas.clientWidth - 1) * tall *
-      canvas.clientWidth / canvas.clientHeight;
-    const ray = unit(add(add(scaled(right, across),
-      scaled(up, (1 - 2 * y / canvas.clientHeight) * tall)), scaled(back, -1)));
+    const { map, camera } = scene;
+    const ray = camera.rayThrough(x, y);
     const eye = camera.eye;
     let best = null;
     for (const index of state.shownObjects) {

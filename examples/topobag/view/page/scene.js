@@ -10,7 +10,7 @@ class Scene {
     this.boxes = new BoxFaces(gl);
     this.cones = new ViewCones(gl);
     this.path = new LineStrips(gl, 1);
-    this.arcs = new LineStrips(gl, 14);
+    this.arcs = new LineStrips(gl, 14, bowShare);
     this.chosen = new LineStrips(gl, 1);
     this.grid = new GroundGrid(gl);
     gl.enable(gl.DEPTH_TEST);
@@ -19,7 +19,6 @@ class Scene {
 
   // The colors of the style sheet, after each change of theme.
   readColors(dark) {
-    this.dark = dark ? 1 : 0;
     this.classColors = classColors(this.map.countOf, dark);
     this.colors = {};
     for (const name of ['page', 'grid', 'path', 'cone', 'text', 'accent', 'good', 'loose', 'bad']) {
@@ -27,37 +26,46 @@ class Scene {
     }
   }
 
-  resize() {
+  resize(share) {
     const { canvas } = this;
-    const sharp = Math.min(devicePixelRatio || 1, 2);
+    const sharp = share * Math.min(devicePixelRatio || 1, 2);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((n) =>
       Math.max(1, Math.round(n * sharp)));
     if (canvas.width !== width || canvas.height !== height) {
       Object.assign(canvas, { width, height });
     }
-    this.sharp = sharp;
+    return sharp;
   }
 
   // One picture of the map as the camera sees it now.
-  prepare() {
-    this.resize();
+  prepare(share) {
+    const sharp = this.resize(share);
     const { canvas, camera, map } = this;
-    this.toClip = camera.toClip(canvas.width / canvas.height);
+    const m = this.toClip = camera.toClip;
     const [x, y] = camera.target;
     return {
-      toClip: this.toClip, eye: camera.eye, dark: this.dark, image: map.image,
-      coneLength: map.coneLength, viewport: [canvas.width / this.sharp, canvas.height / this.sharp],
-      pixelAngle: 2 * Math.tan(camera.angle / 2) * this.sharp / canvas.height,
+      toClip: m, sharp, eye: camera.eye, image: map.image,
+      coneLength: map.coneLength, viewport: [canvas.clientWidth, canvas.clientHeight],
+      pixelAngle: 2 * Math.tan(camera.angle / 2) / canvas.clientHeight,
       middle: [x, y, map.floor], reach: camera.distance * 2.2,
       cell: roundLength(camera.distance / 6), lineColor: this.colors.grid,
+      // How far a ball's centre is along the line of sight, m; 0 where none of it is in the picture.
+      depthInView(x, y, z, radius) {
+        const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+        if (w < -radius) return 0;
+        const room = Math.abs(w) + 2.5 * radius;
+        if (Math.abs(m[0] * x + m[4] * y + m[8] * z + m[12]) > room) return 0;
+        if (Math.abs(m[1] * x + m[5] * y + m[9] * z + m[13]) > room) return 0;
+        return w || 1e-9;
+      },
       uniforms(names) { return Object.fromEntries(names.map((name) => [name, this[name]])); },
     };
   }
 
-  draw() {
-    const { gl } = this;
-    const frame = this.prepare();
-    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+  draw(quick) {  // see Pace
+    const { gl, canvas } = this;
+    const frame = this.prepare(quick ? 0.5 : 1);
+    gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(...this.colors.page, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     this.boxes.draw(frame);

@@ -34,36 +34,51 @@ class Shader {
   }
 }
 
-// Attributes that each instance has one of; a layout is the counts of numbers, in their order.
-class Instances {
-  constructor(gl, layout) {
+// Many things of one kind, each of twelve numbers: three texels, which the vertex shader reads with
+// `record(vertices of a thing, which of the three)`. Instanced drawing does the same, but drivers
+// are slow at instances of few vertices.
+const perRow = 512;
+const recordSize = 12;
+const recordReader = `
+  uniform highp sampler2D records;
+  vec4 record(int vertices, int part) {
+    int thing = gl_VertexID / vertices;
+    return texelFetch(records, ivec2(3 * (thing % ${perRow}) + part, thing / ${perRow}), 0);
+  }`;
+
+class Records {
+  constructor(gl) {
     this.gl = gl;
-    this.stride = layout.reduce((sum, size) => sum + size, 0);
     this.count = 0;
+    this.numbers = new Float32Array(0);
+    this.texture = gl.createTexture();
     this.array = gl.createVertexArray();
-    this.buffer = gl.createBuffer();
-    gl.bindVertexArray(this.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-    let offset = 0;
-    layout.forEach((size, place) => {
-      gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, size, gl.FLOAT, false, 4 * this.stride, 4 * offset);
-      gl.vertexAttribDivisor(place, 1);
-      offset += size;
-    });
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
+      gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+    }
   }
 
-  // A Float32Array, or a list of numbers.
-  fill(numbers, count = numbers.length / this.stride) {
+  // Room for so many records, to be written and then sent.
+  reserve(count) {
+    const rows = Math.ceil(count / perRow);
+    const length = rows * perRow * recordSize;
+    if (this.numbers.length < length) this.numbers = new Float32Array(length);
+    return this.numbers;
+  }
+
+  send(count) {
     const gl = this.gl;
     this.count = count;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, Float32Array.from(numbers), gl.DYNAMIC_DRAW);
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 3 * perRow, Math.ceil(count / perRow), 0, gl.RGBA,
+      gl.FLOAT, this.numbers);
   }
 
   draw(mode, vertices) {
     if (this.count === 0) return;
+    this.gl.bindTexture(this.gl.TEXTURE_2D, this.texture);
     this.gl.bindVertexArray(this.array);
-    this.gl.drawArraysInstanced(mode, 0, vertices, this.count);
+    this.gl.drawArrays(mode, 0, vertices * this.count);
   }
 }

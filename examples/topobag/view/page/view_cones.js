@@ -1,48 +1,53 @@
 // SPDX-License-Identifier: MIT
 
-// ---- Key frames: what each camera sees, as a thin pyramid
+// ---- Key frames: what each camera sees, as a thin pyramid, where it is large enough in the picture
+const leastCone = 4;  // px
+
 class ViewCones {
   constructor(gl) {
-    this.shader = new Shader(gl, `
-      layout(location = 0) in vec3 place;
-      layout(location = 1) in vec4 turn;
-      layout(location = 2) in vec4 color;
+    this.shader = new Shader(gl, `${recordReader}
       uniform mat4 toClip;
       uniform vec4 image;
       uniform float coneLength;
       out vec4 ink;
-      int ends[16] = int[](0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1);
       void main() {
-        int end = ends[gl_VertexID];
-        vec3 corner = end == 0 ? vec3(0) :
-          vec3(end == 1 || end == 4 ? image.x : image.z, end < 3 ? image.y : image.w, 1);
-        corner *= coneLength;
+        vec4 turn = record(16, 1);
+        // From the eye to each corner, then from each corner to the next.
+        int at = gl_VertexID % 16;
+        int number = at < 8 ? at / 2 : (at / 2 + at % 2) % 4;
+        bool tip = at < 8 && at % 2 == 0;
+        vec3 corner = tip ? vec3(0) : coneLength * vec3(
+          number == 0 || number == 3 ? image.x : image.z, number < 2 ? image.y : image.w, 1);
         vec3 t = 2.0 * cross(turn.xyz, corner);
-        vec3 world = place + corner + turn.w * t + cross(turn.xyz, t);
+        vec3 world = record(16, 0).xyz + corner + turn.w * t + cross(turn.xyz, t);
         gl_Position = toClip * vec4(world, 1);
-        ink = color;
+        ink = record(16, 2);
       }`, `
       in vec4 ink;
       out vec4 pixel;
       void main() { pixel = ink; }`);
-    this.instances = new Instances(gl, [3, 4, 4]);
+    this.shown = new Records(gl);
+    this.cones = [];
     this.gl = gl;
   }
 
   // Each a place, a turn and a color with its opacity.
-  fill(cones) {
-    const numbers = new Float32Array(11 * cones.length);
-    cones.forEach(({ place, turn, color }, i) => {
-      numbers.set(place, 11 * i);
-      numbers.set(turn, 11 * i + 3);
-      numbers.set(color, 11 * i + 7);
-    });
-    this.instances.fill(numbers);
-  }
+  fill(cones) { this.cones = cones; }
 
   draw(frame) {
+    const numbers = this.shown.reserve(this.cones.length);
+    let count = 0;
+    for (const { place, turn, color } of this.cones) {
+      const depth = frame.depthInView(place[0], place[1], place[2], 2 * frame.coneLength);
+      if (depth === 0 || frame.coneLength / Math.abs(depth) / frame.pixelAngle < leastCone) continue;
+      const to = recordSize * count++;
+      numbers.set(place, to);
+      numbers.set(turn, to + 4);
+      numbers.set(color, to + 8);
+    }
+    this.shown.send(count);
     this.shader.use(frame.uniforms(['toClip', 'image', 'coneLength']));
-    this.instances.draw(this.gl.LINES, 16);
+    this.shown.draw(this.gl.LINES, 16);
   }
 }
 
