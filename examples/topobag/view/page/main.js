@@ -23,7 +23,7 @@ class MapPage {
     Object.assign(state, { onChange: () => this.refill(), onChoice: (...a) => this.show(...a) });
     this.listen(byId);
     this.leaveRoom();
-    this.showPart(0);
+    this.showPart(0, true);
     this.refill();
   }
 
@@ -144,9 +144,11 @@ class MapPage {
 
   seeFromAbove() { this.camera.flyTo({ elevation: 1.56, right: this.cardWidth }); }
 
-  showPart(part) {
+  showPart(part, atOnce = false) {
     const { center, radius } = this.map.ballOf(part);
-    this.camera.flyTo({ target: center, distance: 2.6 * radius, right: this.cardWidth });
+    const goal = { target: center, distance: 2.6 * radius };
+    if (atOnce) Object.assign(this.camera, goal);
+    else this.camera.flyTo({ ...goal, right: this.cardWidth });
   }
 
   // After a choice: says it, and moves the picture where that was asked for.
