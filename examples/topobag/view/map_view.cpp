@@ -138,7 +138,7 @@ Json map_view(const RecognitionRun& run, const topobag::PinholeCamera<>& camera,
             {"matches", matches_json(run, placed.number_of, map.of_nodes)}};
   append(json["up"], up ? up->normalized() : likely_up(poses));
   json["classes"] = classes.names();
-  return versioned(json);
+  return json;
 }
 
 }  // namespace program
