@@ -7,10 +7,10 @@ class MapPage {
     const map = this.map = new MapData(json);
     const state = this.state = new ViewState(map);
     this.canvas = byId('scene');
-    this.hint = byId('hint');
     this.camera = new OrbitCamera(this.canvas, () => this.requestDraw());
     this.scene = new Scene(this.canvas, map, this.camera);
     this.pace = new Pace();
+    this.way = new WayLines(this.scene, state);
     this.lines = new ChosenLines(this.scene, state);
     this.labels = new Labels(byId('labels'), this.scene, state);
     this.pointing = new Pointing(this.scene, state);
@@ -21,7 +21,7 @@ class MapPage {
     this.theme = new Theme(byId('theme'), () => this.recolor());
     this.classes = new ClassList(map, state, () => state.change({}));
     Object.assign(state, { onChange: () => this.refill(), onChoice: (...a) => this.show(...a) });
-    this.listen(byId);
+    this.input = new Input(this);
     this.leaveRoom();
     this.showPart(0, true);
     this.refill();
@@ -36,7 +36,7 @@ class MapPage {
       plural(map.keyframeCount, 'key frame')];
     if (map.json.without_pose) counts.push(`${plural(map.json.without_pose, 'more')} without a pose`);
     document.getElementById('counts').textContent = counts.join(' · ');
-    document.getElementById('least').max = Math.max(2, Math.min(20, Math.max(...map.seen)));
+    document.getElementById('least').max = Math.min(20, map.seen.reduce((a, b) => Math.max(a, b), 2));
   }
 
   // The picture's middle is that of what the panels leave free.
@@ -53,83 +53,6 @@ class MapPage {
   get cardWidth() {
     const card = document.getElementById('details');
     return card.hidden || innerWidth <= 760 ? 0 : card.offsetWidth;
-  }
-
-  listen(byId) {
-    const { state, canvas } = this;
-    for (const [id, name] of [['show-keyframes', 'showKeyframes'], ['show-names', 'showNames'],
-      ['show-matches', 'showMatches']]) {
-      byId(id).addEventListener('change', (event) => state.change({ [name]: event.target.checked }));
-    }
-    byId('least').addEventListener('input', (event) => {
-      byId('least-value').textContent = event.target.value;
-      state.change({ least: Number(event.target.value) });
-    });
-    byId('home').addEventListener('click', () => this.showPart(this.map.partOf(state.keyframe)));
-    byId('above').addEventListener('click', () => this.seeFromAbove());
-    byId('help').addEventListener('click', () => byId('keys').showModal());
-    canvas.addEventListener('pointermove', (event) => this.hover(event));
-    canvas.addEventListener('pointerleave', () => this.setHovered(null));
-    canvas.addEventListener('click', (event) => {
-      if (!this.camera.dragged) state.choose(this.pointing.at(event.offsetX, event.offsetY));
-    });
-    canvas.addEventListener('dblclick', (event) => {
-      const thing = this.pointing.at(event.offsetX, event.offsetY);
-      if (thing) state.choose(thing, true);
-    });
-    canvas.addEventListener('keydown', (event) => this.pressCanvas(event));
-    addEventListener('keydown', (event) => this.press(event));
-    addEventListener('resize', () => this.leaveRoom());
-  }
-
-  // Keys that mean the same everywhere but where one types.
-  press(event) {
-    if (event.target.matches('input[type=search]') || event.ctrlKey || event.metaKey) return;
-    const keys = {
-      '/': () => document.getElementById('search').focus(),
-      '?': () => document.getElementById('keys').showModal(),
-      n: () => this.timeline.step(1), p: () => this.timeline.step(-1),
-      m: () => this.matchList.step(1), M: () => this.matchList.step(-1),
-      h: () => this.showPart(this.map.partOf(this.state.keyframe)),
-      t: () => this.seeFromAbove(),
-      Escape: () => this.state.choose(null),
-    };
-    if (!(event.key in keys) || document.getElementById('keys').open) return;
-    event.preventDefault();
-    keys[event.key]();
-  }
-
-  pressCanvas(event) {
-    const camera = this.camera;
-    const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-    if (event.key in arrows) {
-      const [right, down] = arrows[event.key];
-      if (event.shiftKey) camera.pan(40 * right, 40 * down);
-      else camera.turn(-0.12 * right, 0.08 * down);
-    } else if (event.key === '+' || event.key === '=') camera.zoom(0.85);
-    else if (event.key === '-') camera.zoom(1 / 0.85);
-    else return;
-    event.preventDefault();
-  }
-
-  hover(event) {
-    if (this.camera.pointers.size || this.hoverAsked) return;
-    this.hoverAsked = true;
-    requestAnimationFrame(() => {
-      this.hoverAsked = false;
-      this.setHovered(this.pointing.at(event.offsetX, event.offsetY));
-      this.hint.style.transform = `translate(${event.clientX + 14}px, ${event.clientY + 14}px)`;
-    });
-  }
-
-  setHovered(thing) {
-    if (JSON.stringify(thing) === JSON.stringify(this.state.hovered)) return;
-    this.state.hovered = thing;
-    this.canvas.style.cursor = thing ? 'pointer' : 'grab';
-    this.hint.hidden = !thing;
-    if (thing) this.hint.textContent = this.nameOf(thing);
-    this.lines.fill();
-    this.requestDraw();
   }
 
   nameOf({ kind, index }) {
@@ -200,8 +123,7 @@ class MapPage {
       const color = classColors[map.label[object]];
       return state.dimmed(object) ? mix(color, colors.page, 0.82) : color;
     });
-    this.fillPath();
-    this.fillArcs();
+    this.way.fill();
     this.lines.fill();
     this.classes.draw(classColors);
     this.details.draw();
@@ -209,36 +131,6 @@ class MapPage {
     this.timeline.draw();
     this.follow();
     this.requestDraw();
-  }
-
-  fillPath() {
-    const { scene, state, map } = this;
-    const quiet = state.chosen?.kind === 'match' ? 0.3 : 1;
-    const cones = state.showKeyframes ? state.shownKeyframes.map((i) => ({
-      place: pointAt(map.camera, i), turn: map.rotation.subarray(4 * i, 4 * i + 4),
-      color: [...scene.colors.cone, 0.7 * quiet],
-    })) : [];
-    const queries = state.shownMatches.map((i) => map.matches[i]).filter((m) => m.query === null);
-    cones.push(...queries.map((match) => ({ place: match.camera, turn: match.turn,
-      color: [...scene.colors[verdictOf(match).color], quiet] })));
-    scene.cones.fill(cones);
-    const starts = new Set(map.partStarts);
-    scene.path.fill(state.showKeyframes ? state.shownKeyframes.filter((i) => !starts.has(i))
-      .map((i) => ({ a: pointAt(map.camera, i - 1), b: pointAt(map.camera, i),
-        color: [...scene.colors.path, quiet], width: 2 })) : []);
-  }
-
-  fillArcs() {
-    const { scene, state, map } = this;
-    const chosen = state.chosen?.kind === 'match' ? state.chosen.index : null;
-    const usual = Math.min(0.85, Math.max(0.35, 4 / Math.sqrt(state.shownMatches.length)));
-    scene.arcs.fill(state.shownMatches.map((i) => {
-      const match = map.matches[i];
-      const { color, dash } = verdictOf(match);
-      const opacity = chosen === null ? usual : chosen === i ? 1 : 0.12;
-      return { a: map.queryPlace(match), b: pointAt(map.camera, match.candidate), dash,
-        color: [...scene.colors[color], opacity], width: chosen === i ? 3 : 1.6 };
-    }));
   }
 
   requestDraw(atRest = false) {

@@ -72,9 +72,8 @@ class Timeline {
 
   // A tick for each key frame of the part that was recognised.
   drawTicks(begin, end) {
-    if (this.tickedPart === begin && this.tickedTheme === document.documentElement.dataset.theme) return;
+    if (this.tickedPart === begin) return;
     this.tickedPart = begin;
-    this.tickedTheme = document.documentElement.dataset.theme;
     this.ticks.replaceChildren();
     for (const match of this.map.matches) {
       const at = match.query ?? match.candidate;
