@@ -37,8 +37,8 @@ TEST_CASE("loops are found in a map on disk as in one in memory, without a copy"
     if (!a) continue;
     ++loops;
     CHECK(a.accepted->id == b.accepted->id);
-    CHECK(a.accepted->margin() == b.accepted->margin());
-    CHECK(durable.T_world_query(a)->T.isApprox(in_memory.T_world_query(b)->T, 1e-12));
+    CHECK(a.accepted->margin() == Approx(b.accepted->margin()));  // a pose is rounded on disk
+    CHECK(durable.T_world_query(a)->T.isApprox(in_memory.T_world_query(b)->T, 1e-9));
   }
   CHECK(loops > 20);
   CHECK(map.size() == 60);
