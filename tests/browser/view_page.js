@@ -83,8 +83,13 @@ await openPage(process.argv[2], graphics, async ({ page, complaints, elsewhere }
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
 
   // Light and dark: the system's, then the reader's.
-  const light = await look(page, 'light');
-  const dark = await look(page, 'dark');
+  const themed = async (scheme) => {
+    await page.emulateMedia({ colorScheme: scheme });
+    await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, scheme);
+    return look(page, scheme);
+  };
+  const light = await themed('light');
+  const dark = await themed('dark');
   assert.notDeepEqual(light.colors, dark.colors);
   assert.ok(!light.picture.equals(dark.picture));
   await page.locator('#theme').click();
