@@ -6,7 +6,7 @@ source .ci/packages.sh
 
 need_build_tools
 need_packages libeigen3-dev libcgal-dev catch2 libcli11-dev nlohmann-json3-dev libsqlite3-dev \
-  libvalijson-dev
+  libvalijson-dev libpq-dev postgresql
 
 cmake -S . -B build
 cmake --build build --parallel "$(nproc)" --target topobag_tests

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <topobag/adaptors/fleet/uuid.hpp>
+#include <topobag/bag/entry_info.hpp>
+#include <topobag/types/appearance.hpp>
+#include <topobag/types/ids.hpp>
+#include <topobag/types/rigid_motion.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// A key frame among those of all robots: where, who, on which run, and the robot's own number.
+struct FleetKey {
+  std::string site;       ///< the building; its poses share one world
+  Uuid robot{};           ///< who saw it
+  Uuid session{};         ///< on which run
+  KeyframeId keyframe{};  ///< as the robot numbers it
+
+  /// By site, robot, session and number: the order of ties in a `FleetView`.
+  friend bool operator<(const FleetKey& l, const FleetKey& r) noexcept {
+    return l.fields() < r.fields();
+  }
+  friend bool operator==(const FleetKey& l, const FleetKey& r) noexcept {
+    return l.fields() == r.fields();
+  }
+
+ private:
+  std::tuple<const std::string&, const Uuid&, const Uuid&, const KeyframeId&> fields()
+      const noexcept {
+    return std::tie(site, robot, session, keyframe);
+  }
+};
+
+/// What a robot says of one of its key frames at one moment. Never changed: a moved pose or an
+/// erasure is another version, and the one with the greatest `seq` holds.
+struct FleetVersion {
+  FleetKey key;
+  std::int64_t seq = 0;  ///< rises with every change that the robot makes to its map
+  std::string run;       ///< the robot's name for the session
+  std::optional<double> stamp;                ///< s
+  std::string label;                          ///< as `EntryInfo::label`
+  std::optional<std::array<double, 7>> pose;  ///< tx ty tz qx qy qz qw of `T_world_camera`
+  std::vector<std::uint8_t> graph;            ///< as `encode` writes it; empty for a tombstone
+  std::uint64_t catalog = 0;                  ///< fingerprint of the classes; 0 = not known
+  AppearanceKind appearance;                  ///< of the graph's descriptors
+  bool tombstone = false;                     ///< the key frame is erased
+
+  /// The entry's info, session 0. Throws InvalidValue as `pose_from_numbers`.
+  EntryInfo info() const {
+    EntryInfo info;
+    info.stamp = stamp;
+    info.label = label;
+    if (pose) info.T_world_camera = pose_from_numbers(*pose);
+    return info;
+  }
+};
+
+}  // namespace v0
+}  // namespace topobag
