@@ -55,6 +55,8 @@ inline std::size_t push(const FleetOutbox& outbox, PostgresStore& store,
                     " of this map, whose last is " + std::to_string(outbox.last_seq()) +
                     ": it is an old copy; go on with the latest, or a new map");
   }
+  // The last one is sent again: the server tells a copy of the map that went another way since.
+  sent = std::max<std::int64_t>(0, sent - 1);
   std::size_t added = 0;
   for (;;) {
     const std::vector<FleetVersion> versions = outbox.after(sent, batch);
