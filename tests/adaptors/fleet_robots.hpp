@@ -19,7 +19,7 @@ class SimulatedRobot {
  public:
   SimulatedRobot(const std::string& folder, const std::string& site, std::uint64_t first_id)
       : path_(folder + "/" + topobag::to_text(robot_) + ".db"), next_id_(first_id) {
-    topobag::enlist(path_, {site, robot_});
+    topobag::enlist(path_, site, robot_);
     restart();
   }
 

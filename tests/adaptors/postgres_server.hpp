@@ -52,11 +52,11 @@ class PostgresServer {
 
   void start() {
     std::vector<std::string> words{binary("postgres"), "-D", data(), "-k", data()};
-    for (std::string setting : settings_) words.insert(words.end(), {"-c", setting});
     for (const char* setting : {"listen_addresses=", "fsync=off", "shared_buffers=16MB",
                                 "max_connections=60", "log_min_messages=fatal"}) {
       words.insert(words.end(), {"-c", setting});
     }
+    for (const std::string& setting : settings_) words.insert(words.end(), {"-c", setting});
     process_ = run(words);
     for (int i = 0; i < 3000; ++i) {
       if (PQping(conninfo().c_str()) == PQPING_OK) return;

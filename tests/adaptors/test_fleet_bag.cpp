@@ -34,7 +34,7 @@ TEST_CASE("what a robot pushes is in every follower's bag", "[fleet]") {
   const std::string conninfo = fleet_base();
   std::mt19937 random(1);
   const Uuid robot = random_uuid();
-  enlist(folder.path("map.db"), {"hall", robot});
+  enlist(folder.path("map.db"), "hall", robot);
   SqliteBag<> map(folder.path("map.db"));
   EntryInfo info;
   info.session = map.begin_session("Monday");

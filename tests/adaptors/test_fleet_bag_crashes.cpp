@@ -93,7 +93,7 @@ void kill_them(unsigned kills) {
       PostgresStore store(conninfo);
       store.prepare();
       store.add_site("hall", 0);
-      enlist(folder->path("map.db"), {"hall", random_uuid()});
+      enlist(folder->path("map.db"), "hall", random_uuid());
       survivor.emplace(std::vector<FleetSource>{{conninfo, {"hall"}}});
       acknowledged = 0;
     }

@@ -19,7 +19,7 @@ using namespace topobag;
 namespace {
 
 /// A version of a key frame as a robot would push it.
-FleetVersion version_of(std::mt19937& random, const std::string& site, const Uuid& robot,
+FleetVersion pushed_version(std::mt19937& random, const std::string& site, const Uuid& robot,
                         std::int64_t seq) {
   FleetVersion version;
   version.key = {site, robot, Uuid{1}, KeyframeId{static_cast<std::uint64_t>(seq)}};
@@ -60,17 +60,17 @@ TEST_CASE("a robot adds its own key frames alone, a reader none", "[postgres]") 
   owner.admit("bob", "hall");
 
   PostgresStore robot(for_user(conninfo, "r2d2"));
-  CHECK(robot.append({version_of(random, "hall", mine, 1)}) == 1);
+  CHECK(robot.append({pushed_version(random, "hall", mine, 1)}) == 1);
   const std::string says = "may not add key frames of robot";
-  CHECK(holds(error_text([&] { robot.append({version_of(random, "hall", other, 2)}); }), says));
-  CHECK(holds(error_text([&] { robot.append({version_of(random, "yard", mine, 2)}); }), says));
-  CHECK(holds(error_text([&] { robot.append({version_of(random, "hall", mine, 2),
-                                             version_of(random, "hall", other, 3)}); }),
+  CHECK(holds(error_text([&] { robot.append({pushed_version(random, "hall", other, 2)}); }), says));
+  CHECK(holds(error_text([&] { robot.append({pushed_version(random, "yard", mine, 2)}); }), says));
+  CHECK(holds(error_text([&] { robot.append({pushed_version(random, "hall", mine, 2),
+                                             pushed_version(random, "hall", other, 3)}); }),
               says));
   PostgresStore reader(for_user(conninfo, "bob"));
-  CHECK(holds(error_text([&] { reader.append({version_of(random, "hall", mine, 2)}); }), says));
+  CHECK(holds(error_text([&] { reader.append({pushed_version(random, "hall", mine, 2)}); }), says));
   CHECK(rows_in(conninfo) == "1");
-  owner.append({version_of(random, "yard", other, 1)});
+  owner.append({pushed_version(random, "yard", other, 1)});
 
   FleetBag bobs({{for_user(conninfo, "bob"), {"hall", "yard"}}});
   CHECK(bobs.follow() == 1);
@@ -100,7 +100,7 @@ TEST_CASE("names are names, whatever SQL is in them", "[postgres]") {
   store.prepare();
   const std::string site = "'); DROP SCHEMA topobag CASCADE; --\"$1 %s %L";
   store.add_site(site, 0);
-  FleetVersion version = version_of(random, site, Uuid{3}, 1);
+  FleetVersion version = pushed_version(random, site, Uuid{3}, 1);
   version.label = version.run = site + std::string(1, '\0') + "\\";
   CHECK(store.append({version}) == 1);
   FleetCursor cursor;
@@ -111,7 +111,7 @@ TEST_CASE("names are names, whatever SQL is in them", "[postgres]") {
   CHECK(read.front().version.key.site == site);
   CHECK(holds(error_text([&] { store.admit("nobody'; DROP TABLE x; --", "no such site"); }),
               "foreign key"));
-  CHECK(holds(error_text([&] { store.append({version_of(random, "attic", Uuid{3}, 2)}); }),
+  CHECK(holds(error_text([&] { store.append({pushed_version(random, "attic", Uuid{3}, 2)}); }),
               "there is no site 'attic'"));
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("other classes, other schemas and copies of a map are refused", "[post
   CHECK(holds(error_text([&] { store.sites(); }), "holds no fleet's map"));
   store.prepare();
   store.add_site("hall", 77);
-  FleetVersion version = version_of(random, "hall", Uuid{3}, 1);
+  FleetVersion version = pushed_version(random, "hall", Uuid{3}, 1);
   CHECK(holds(error_text([&] { store.append({version}); }), "mean other names"));
   version.catalog = 77;
   CHECK(store.append({version}) == 1);
@@ -143,7 +143,7 @@ TEST_CASE("other classes, other schemas and copies of a map are refused", "[post
   shared_postgres().sql(
       "ALTER TABLE topobag.version DISABLE TRIGGER append_only;"
       "UPDATE topobag.version SET graph = '\\x00'", conninfo);
-  another = version_of(random, "hall", Uuid{3}, 2);
+  another = pushed_version(random, "hall", Uuid{3}, 2);
   another.catalog = 77;
   store.append({another});
   FleetBag careful({{conninfo, {"hall"}}});
@@ -167,7 +167,7 @@ TEST_CASE("an old copy of a map is told from the latest", "[postgres]") {
   store.prepare();
   store.add_site("hall", 0);
   const std::string path = folder.path("map.db"), old = folder.path("old.db");
-  enlist(path, {"hall", Uuid{5}});
+  enlist(path, "hall", Uuid{5});
   SqliteBag<>(path).add(KeyframeId{1}, random_graph(random, 5));
   std::filesystem::copy_file(path, old);
   SqliteBag<>(path).add(KeyframeId{2}, random_graph(random, 5));

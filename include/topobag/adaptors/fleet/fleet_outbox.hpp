@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,34 +39,48 @@ struct FleetMember {
   }
 };
 
+namespace detail {
+
+inline Uuid uuid_of(const std::vector<std::uint8_t>& bytes) {
+  Uuid uuid{};
+  if (bytes.size() != uuid.size()) throw FormatError("a UUID in the map is not of 16 bytes");
+  std::copy(bytes.begin(), bytes.end(), uuid.begin());
+  return uuid;
+}
+
+inline std::optional<FleetMember> member_in(const SqliteConnection& map) {
+  if (sqlite_number(map, "SELECT count(*) FROM sqlite_master WHERE name = 'fleet_member'") == 0) {
+    return std::nullopt;
+  }
+  SqliteStatement member(map, "SELECT site, robot FROM fleet_member");
+  member.step();
+  return FleetMember{member.text(0), uuid_of(member.blob(1))};
+}
+
+}  // namespace detail
+
 /// Makes an SQLite map, new or not, an outbox: from then on it numbers its changes, and robot and
 /// site are kept with it. A map that is one already is left as it is. Before the `SqliteBag` is
 /// opened that goes on with it. Throws InvalidId when the map is another member's, and as
 /// `SqliteBag`.
-inline void enlist(const std::string& path, const FleetMember& member) {
-  member.validate();
+/// @param robot  where none is named: the map's own, or a new one for a map that has none
+inline void enlist(const std::string& path, const std::string& site,
+                   const std::optional<Uuid>& robot = std::nullopt) {
   const detail::SqliteConnection map(path, false);
   detail::prepare_schema(map, false);
   detail::SqliteTransaction transaction(map);
-  const bool enlisted = detail::sqlite_number(
-      map, "SELECT count(*) FROM sqlite_master WHERE name = 'fleet_member'") > 0;
-  if (!enlisted) {
-    map.run(detail::outbox_schema);
-    detail::SqliteStatement(map, "INSERT INTO fleet_member VALUES (?, ?)")
-        .bind(member.site, std::vector<std::uint8_t>(member.robot.begin(), member.robot.end()))
-        .step();
-    transaction.commit();
-    return;
+  if (const auto known = detail::member_in(map)) {
+    if (known->site == site && known->robot == robot.value_or(known->robot)) return;
+    throw InvalidId(path + ": it is the map of robot " + to_text(known->robot) + " at site '" +
+                    known->site + "'; give this one a map of its own");
   }
-  detail::SqliteStatement known(map, "SELECT site, robot FROM fleet_member");
-  known.step();
-  const std::vector<std::uint8_t> robot = known.blob(1);
-  if (known.text(0) == member.site && std::equal(robot.begin(), robot.end(), member.robot.begin(),
-                                                 member.robot.end())) {
-    return;
-  }
-  throw InvalidId(path + ": it is the map of another robot or site ('" + known.text(0) +
-                  "'); give this one a map of its own");
+  const FleetMember member{site, robot.value_or(random_uuid())};
+  member.validate();
+  map.run(detail::outbox_schema);
+  detail::SqliteStatement(map, "INSERT INTO fleet_member VALUES (?, ?)")
+      .bind(member.site, std::vector<std::uint8_t>(member.robot.begin(), member.robot.end()))
+      .step();
+  transaction.commit();
 }
 
 /// What a robot's map has to tell the fleet, read beside the `SqliteBag` that writes it. The map
@@ -77,13 +91,9 @@ class FleetOutbox {
   /// Throws FormatError for a map that was not enlisted, and as `SqliteBag` to read.
   explicit FleetOutbox(const std::string& path) : map_(path, true) {
     detail::prepare_schema(map_, true);
-    if (detail::sqlite_number(
-            map_, "SELECT count(*) FROM sqlite_master WHERE name = 'fleet_member'") == 0) {
-      throw FormatError(path + ": the map belongs to no fleet; enlist it first");
-    }
-    detail::SqliteStatement member(map_, "SELECT site, robot FROM fleet_member");
-    member.step();
-    member_ = {member.text(0), uuid_of(member.blob(1))};
+    const auto member = detail::member_in(map_);
+    if (!member) throw FormatError(path + ": the map belongs to no fleet; enlist it first");
+    member_ = *member;
     catalog_ = static_cast<std::uint64_t>(
         detail::sqlite_number(map_, "SELECT value FROM meta WHERE key = 'catalog'"));
   }
@@ -97,7 +107,7 @@ class FleetOutbox {
   std::vector<Uuid> sessions() const {
     std::vector<Uuid> sessions;
     detail::SqliteStatement rows(map_, "SELECT uuid FROM fleet_session ORDER BY session");
-    while (rows.step()) sessions.push_back(uuid_of(rows.blob(0)));
+    while (rows.step()) sessions.push_back(detail::uuid_of(rows.blob(0)));
     return sessions;
   }
 
@@ -123,16 +133,9 @@ class FleetOutbox {
   }
 
  private:
-  static Uuid uuid_of(const std::vector<std::uint8_t>& bytes) {
-    Uuid uuid{};
-    if (bytes.size() != uuid.size()) throw FormatError("a UUID in the map is not of 16 bytes");
-    std::copy(bytes.begin(), bytes.end(), uuid.begin());
-    return uuid;
-  }
-
   FleetVersion version_of(const detail::SqliteStatement& row) const {
     FleetVersion version;
-    version.key = {member_.site, member_.robot, uuid_of(row.blob(15)),
+    version.key = {member_.site, member_.robot, detail::uuid_of(row.blob(15)),
                    KeyframeId{static_cast<std::uint64_t>(row.integer(14))}};
     version.seq = row.integer(13);
     version.run = row.text(16);

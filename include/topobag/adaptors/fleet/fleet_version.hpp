@@ -6,10 +6,13 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <topobag/adaptors/fleet/uuid.hpp>
 #include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/graph_codec.hpp>
+#include <topobag/graph/topology_graph.hpp>
 #include <topobag/types/appearance.hpp>
 #include <topobag/types/ids.hpp>
 #include <topobag/types/rigid_motion.hpp>
@@ -62,6 +65,25 @@ struct FleetVersion {
     return info;
   }
 };
+
+/// What a robot says of a key frame that it has just seen; `seq` and what is its run's are still to
+/// be said. Throws InvalidValue as `EntryInfo::validate` and `encode`.
+template <typename Scalar>
+FleetVersion version_of(FleetKey key, const EntryInfo& info, const TopologyGraph<Scalar>& graph) {
+  info.validate();
+  FleetVersion version;
+  version.key = std::move(key);
+  version.stamp = info.stamp;
+  version.label = info.label;
+  if (info.T_world_camera) {
+    const Eigen::Vector3d t = info.T_world_camera->translation();
+    const Eigen::Quaterniond q(info.T_world_camera->linear());
+    version.pose = {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+  }
+  version.graph = encode(graph);
+  version.appearance = graph.appearance_kind();
+  return version;
+}
 
 }  // namespace v0
 }  // namespace topobag
