@@ -34,7 +34,7 @@ includes() {
 
 # Downwards: FILE's room may use INCLUDED's; nothing outside adaptors/ includes an adaptor or needs
 # another package than Eigen, but for the Delaunay builders; nothing includes an umbrella.
-includes "${headers[@]}" | awk -v rooms="$rooms" '
+includes "${headers[@]}" | awk -v rooms="$rooms" -v umbrella='^(core|evaluation|topobag)\\.hpp$' '
   function room(path) { return path ~ /\// ? substr(path, 1, index(path, "/") - 1) : "root" }
   function say(what) { printf "%s:%d: %s\n", $1, $3, what }
   BEGIN {
@@ -54,10 +54,10 @@ includes "${headers[@]}" | awk -v rooms="$rooms" '
     say("needs " $2 ": only Eigen may be needed here")
   }
   sub(/^topobag\//, "", $2) {
-    if ($1 == "core.hpp" || $1 == "topobag.hpp") {
+    if ($1 ~ umbrella) {
       if ($2 ~ /(^|\/)(detail|adaptors)\//) say("an umbrella brings in " $2)
       if ($2 == "topobag.hpp") say("includes the larger umbrella")
-    } else if ($2 == "core.hpp" || $2 == "topobag.hpp") {
+    } else if ($2 ~ umbrella) {
       say("includes the umbrella " $2)
     } else if (!((room($1), room($2)) in may)) {
       say("includes " $2 ": " room($1) "/ may not use " room($2) "/")
@@ -84,15 +84,15 @@ reached() {
     }' | LC_ALL=C sort
 }
 
-# What a program may include has to be found through an umbrella: by name in core.hpp or topobag.hpp,
-# or, an adaptor's part, through the adaptor of that name. An adaptor is included by itself. A detail
+# What a program may include has to be found through an umbrella: by name in core.hpp,
+# evaluation.hpp or topobag.hpp, or, an adaptor's part, through the adaptor of that name. An adaptor is included by itself. A detail
 # that nothing uses is dead.
-umbrellas=$(includes core.hpp topobag.hpp | sed -En 's#^\S+ topobag/(\S+) .*#\1#p')
+umbrellas=$(includes core.hpp evaluation.hpp topobag.hpp | sed -En 's#^\S+ topobag/(\S+) .*#\1#p')
 adaptors=$(printf '%s\n' "${headers[@]}" | grep -E '^adaptors/[^/]+$')
-all=$(reached topobag.hpp $adaptors)
+all=$(reached topobag.hpp evaluation.hpp $adaptors)
 for header in "${headers[@]}"; do
   case $header in
-    topobag.hpp | core.hpp) continue ;;
+    topobag.hpp | core.hpp | evaluation.hpp) continue ;;
     */detail/* | adaptors/*/*) found=$all ;;
     adaptors/*) continue ;;
     *) found=$umbrellas ;;
@@ -100,9 +100,9 @@ for header in "${headers[@]}"; do
   grep -qxF "$header" <<<"$found" || echo "$header: no umbrella brings it in"
 done >>"$violations"
 
-# core.hpp is what needs Eigen alone.
-for header in $(reached core.hpp); do
-  includes "$header" | awk '$2 ~ /^(CGAL|opencv2|sqlite3|libpq)/ { print "core.hpp reaches " $1 ", which needs " $2 }'
+# These are what needs Eigen alone.
+for header in $(reached core.hpp evaluation.hpp); do
+  includes "$header" | awk '$2 ~ /^(CGAL|opencv2|sqlite3|libpq)/ { print "core.hpp or evaluation.hpp reaches " $1 ", which needs " $2 }'
 done >>"$violations"
 
 # A program names no detail.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Everything that needs Eigen alone: target `topobag::core`.
+/// Everything that a SLAM system needs, by Eigen alone: target `topobag::core`. The evaluation kit has
+/// an umbrella of its own, `evaluation.hpp`.
 #include <topobag/assert.hpp>
 #include <topobag/bag/atomic_file.hpp>
 #include <topobag/bag/bag_concepts.hpp>
@@ -33,29 +34,6 @@
 #include <topobag/edges/projections.hpp>
 #include <topobag/edges/radius_edges.hpp>
 #include <topobag/error.hpp>
-#include <topobag/evaluation/alignment.hpp>
-#include <topobag/evaluation/association.hpp>
-#include <topobag/evaluation/bootstrap.hpp>
-#include <topobag/evaluation/frustum_overlap.hpp>
-#include <topobag/evaluation/kitti_trajectory.hpp>
-#include <topobag/evaluation/labelled_scores.hpp>
-#include <topobag/evaluation/lifelong_score.hpp>
-#include <topobag/evaluation/loop_verdicts.hpp>
-#include <topobag/evaluation/npy_matrix.hpp>
-#include <topobag/evaluation/number_text.hpp>
-#include <topobag/evaluation/openloris_trajectory.hpp>
-#include <topobag/evaluation/place_protocol.hpp>
-#include <topobag/evaluation/place_truth.hpp>
-#include <topobag/evaluation/pose_error.hpp>
-#include <topobag/evaluation/precision_recall.hpp>
-#include <topobag/evaluation/protocol_text.hpp>
-#include <topobag/evaluation/recall_at_k.hpp>
-#include <topobag/evaluation/relative_pose_error.hpp>
-#include <topobag/evaluation/score_csv.hpp>
-#include <topobag/evaluation/text_lines.hpp>
-#include <topobag/evaluation/trajectory.hpp>
-#include <topobag/evaluation/trajectory_error.hpp>
-#include <topobag/evaluation/tum_trajectory.hpp>
 #include <topobag/fast_math.hpp>
 #include <topobag/fwd.hpp>
 #include <topobag/graph/correlation_matrix.hpp>
@@ -113,6 +91,7 @@
 #include <topobag/recognition/temporal_consistency.hpp>
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
+#include <topobag/recognition/why.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
@@ -127,6 +106,7 @@
 #include <topobag/sensing/pinhole_camera.hpp>
 #include <topobag/sensing/range_detections.hpp>
 #include <topobag/sensing/same_object.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/sensing/sparse_depth.hpp>
 #include <topobag/similarity/affinity_cosine.hpp>
 #include <topobag/similarity/class_histogram.hpp>

@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 
@@ -19,6 +18,7 @@
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
+#include <topobag/matching/detail/cholesky.hpp>
 #include <topobag/matching/detail/slab.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/shared_vertical.hpp>
@@ -124,9 +124,8 @@ struct ChanceModel {
       log_factor -= log_two_pi + std::log(height_variance / n) -
                     std::log(std::max(least, slab.tilt_information));
     }
-    const Eigen::LLT<Eigen::Matrix<double, 6, 6>> root(pose.covariance);
     const double log_posterior_volume =
-        3.0 * log_two_pi + root.matrixLLT().diagonal().array().log().sum();
+        3.0 * log_two_pi + detail::log_root_determinant(pose.covariance);
     return (log_factor + log_prior + log_posterior_volume) / std::log(10.0);
   }
 

@@ -121,5 +121,10 @@ GraphMatch match_graphs(const TopologyGraph<Scalar>& candidate, const TopologyGr
   return detail::PoseSearch<Scalar>(candidate, query, options).run();
 }
 
+#ifdef TOPOBAG_COMPILED  // it is in the library topobag::compiled
+extern template GraphMatch match_graphs(const TopologyGraph<double>&, const TopologyGraph<double>&,
+                                        const MatchOptions&);
+#endif
+
 }  // namespace v0
 }  // namespace topobag

@@ -48,6 +48,36 @@ double spread_about_line(const Eigen::MatrixBase<Points>& points,
   return std::sqrt(std::max(0.0, variances.eigenvalues()(0) + variances.eigenvalues()(1)));
 }
 
+namespace detail {
+
+/// Weights of pairs of points, their sum, and the weighted means of both sides.
+struct Centroids {
+  /// @param weights  empty = all equal
+  template <typename Target, typename Source>
+  Centroids(const Target& target_points, const Source& source_points,
+            const Eigen::VectorXd& weights)
+      : weights_(weights) {
+    for (Eigen::Index i = 0; i < source_points.cols(); ++i) {
+      total += weight(i);
+      target += weight(i) * target_points.col(i);
+      source += weight(i) * source_points.col(i);
+    }
+    target /= total;
+    source /= total;
+  }
+
+  double weight(Eigen::Index i) const { return weights_.size() == 0 ? 1.0 : weights_(i); }
+
+  double total = 0.0;
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();
+  Eigen::Vector3d source = Eigen::Vector3d::Zero();
+
+ private:
+  const Eigen::VectorXd& weights_;
+};
+
+}  // namespace detail
+
 /// The rotation (det = +1) and translation that carry `source` onto `target` with the least
 /// weighted squares: Umeyama, PAMI 1991, without scale; also Kabsch 1976.
 ///
@@ -63,21 +93,11 @@ std::optional<RigidFit> fit_rigid(const Eigen::MatrixBase<Target>& target,
   TOPOBAG_ASSERT(target.cols() == source.cols());
   TOPOBAG_ASSERT(weights.size() == 0 || weights.size() == source.cols());
   if (source.cols() < 1) return std::nullopt;
-  const auto weight = [&](Eigen::Index i) { return weights.size() == 0 ? 1.0 : weights(i); };
-  double total = 0.0;
-  Eigen::Vector3d target_mean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d source_mean = Eigen::Vector3d::Zero();
-  for (Eigen::Index i = 0; i < source.cols(); ++i) {
-    total += weight(i);
-    target_mean += weight(i) * target.col(i);
-    source_mean += weight(i) * source.col(i);
-  }
-  target_mean /= total;
-  source_mean /= total;
+  const detail::Centroids mean(target, source, weights);
   Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
   for (Eigen::Index i = 0; i < source.cols(); ++i) {
-    correlation += weight(i) / total * (target.col(i) - target_mean) *
-                   (source.col(i) - source_mean).transpose();
+    correlation += mean.weight(i) / mean.total * (target.col(i) - mean.target) *
+                   (source.col(i) - mean.source).transpose();
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -87,11 +107,11 @@ std::optional<RigidFit> fit_rigid(const Eigen::MatrixBase<Target>& target,
   RigidFit fit;
   const Eigen::Matrix3d R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
   fit.T_target_source.linear() = R;
-  fit.T_target_source.translation() = target_mean - R * source_mean;
+  fit.T_target_source.translation() = mean.target - R * mean.source;
   double squares = 0.0;
   for (Eigen::Index i = 0; i < source.cols(); ++i) {
     const Eigen::Vector3d residual = target.col(i) - fit.T_target_source * source.col(i);
-    squares += weight(i) / total * residual.squaredNorm();
+    squares += mean.weight(i) / mean.total * residual.squaredNorm();
   }
   fit.rms = std::sqrt(squares);
   fit.spread = spread_about_line(source, weights);
@@ -106,37 +126,29 @@ std::optional<RigidFit> fit_level(const Eigen::MatrixBase<Target>& target,
                                   const SharedVertical& vertical,
                                   const Eigen::VectorXd& weights = {}) {
   if (source.cols() < 1) return std::nullopt;
-  const auto weight = [&](Eigen::Index i) { return weights.size() == 0 ? 1.0 : weights(i); };
-  double total = 0.0;
-  Eigen::Vector3d target_mean = Eigen::Vector3d::Zero(), source_mean = Eigen::Vector3d::Zero();
-  for (Eigen::Index i = 0; i < source.cols(); ++i) {
-    total += weight(i);
-    target_mean += weight(i) * target.col(i);
-    source_mean += weight(i) * source.col(i);
-  }
-  target_mean /= total;
-  source_mean /= total;
+  const detail::Centroids mean(target, source, weights);
   // Of the leveled source, turned by yaw about the upward axis u, Σ w t·s(yaw) is greatest.
   const Eigen::Matrix3d level = vertical.rotation(0.0);
   const Eigen::Vector3d up = -vertical.target_down;
   double along = 0.0, across = 0.0, squares = 0.0;
   for (Eigen::Index i = 0; i < source.cols(); ++i) {
-    const Eigen::Vector3d t = target.col(i) - target_mean;
-    const Eigen::Vector3d s = level * (source.col(i) - source_mean);
+    const Eigen::Vector3d t = target.col(i) - mean.target;
+    const Eigen::Vector3d s = level * (source.col(i) - mean.source);
     const Eigen::Vector3d flat = s - up.dot(s) * up;
-    along += weight(i) * t.dot(flat);
-    across += weight(i) * t.dot(up.cross(flat));
-    squares += weight(i) * flat.squaredNorm();
+    along += mean.weight(i) * t.dot(flat);
+    across += mean.weight(i) * t.dot(up.cross(flat));
+    squares += mean.weight(i) * flat.squaredNorm();
   }
   RigidFit fit;
   fit.T_target_source.linear() = vertical.rotation(std::atan2(across, along));
-  fit.T_target_source.translation() = target_mean - fit.T_target_source.linear() * source_mean;
-  fit.spread = std::sqrt(squares / total);
+  fit.T_target_source.translation() = mean.target - fit.T_target_source.linear() * mean.source;
+  fit.spread = std::sqrt(squares / mean.total);
   double residuals = 0.0;
   for (Eigen::Index i = 0; i < source.cols(); ++i) {
-    residuals += weight(i) * (target.col(i) - fit.T_target_source * source.col(i)).squaredNorm();
+    residuals +=
+        mean.weight(i) * (target.col(i) - fit.T_target_source * source.col(i)).squaredNorm();
   }
-  fit.rms = std::sqrt(residuals / total);
+  fit.rms = std::sqrt(residuals / mean.total);
   return fit;
 }
 

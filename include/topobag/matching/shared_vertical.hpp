@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/detail/least_turn.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -42,9 +43,7 @@ struct SharedVertical {
   }
 
  private:
-  Eigen::Matrix3d least_turn() const {
-    return Eigen::Quaterniond::FromTwoVectors(source_down, target_down).toRotationMatrix();
-  }
+  Eigen::Matrix3d least_turn() const { return detail::least_turn(source_down, target_down); }
 };
 
 /// Nothing unless both graphs know which way is down.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,9 @@
 #include <topobag/matching/point_pair.hpp>
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/explanation.hpp>
-#include <topobag/recognition/relocalizer.hpp>
+#include <topobag/recognition/detail/pose_rivals.hpp>
+#include <topobag/recognition/recognition.hpp>
+#include <topobag/recognition/recognition_options.hpp>
 #include <topobag/types/class_catalog.hpp>
 
 namespace topobag {
@@ -156,25 +159,33 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   return explanation;
 }
 
-/// Why `query` was or was not recognised: for every candidate the stages it passed and failed, with
-/// numbers and objects by name.
+#ifdef TOPOBAG_COMPILED  // it is in the library topobag::compiled
+extern template CandidateExplanation explain_candidate(
+    const CandidateReport&, const TopologyGraph<double>&, const TopologyGraph<double>&,
+    const ClassCatalog&, const RecognitionOptions&, std::optional<double>);
+#endif
+
+/// Why `query` was or was not recognised: for the best candidates the stages that each passed and
+/// failed, with numbers and objects by name. In one line: `why`.
 ///
 /// @param bag      gives the candidates' graphs by `find`; one that is gone since, or has fewer
-/// nodes
-///                 than its report speaks of, is passed over
+///                 nodes than its report speaks of, is passed over
 /// @param query    the graph that was looked up
 /// @param options  those of the look-up
+/// @param max_candidates  that are told of, in the order of the recognition's: an accepted one is
+///                        among the first, whose places were asked
 /// O(candidates · n · k).
 template <typename Bag>
 Explanation explain(const Recognition& recognition, const Bag& bag,
                     const typename Bag::Graph& query, const ClassCatalog& catalog,
-                    const RecognitionOptions& options) {
+                    const RecognitionOptions& options, std::size_t max_candidates = 8) {
   Explanation explanation;
   explanation.objects = query.size();
   explanation.usable = recognition.usable;
   const std::optional<double> best_margin =
       recognition ? std::make_optional(recognition.accepted->margin()) : std::nullopt;
   for (const CandidateReport& report : recognition.candidates) {
+    if (explanation.candidates.size() == max_candidates) break;
     const auto candidate = bag.find(report.id);
     if (!candidate || !detail::speaks_of(report, *candidate, query)) continue;
     explanation.candidates.push_back(

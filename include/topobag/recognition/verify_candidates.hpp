@@ -11,6 +11,7 @@
 
 #include <topobag/bag/place_contents.hpp>
 #include <topobag/bag/query.hpp>
+#include <topobag/fwd.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
@@ -115,9 +116,10 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
 /// and accepts at most one: the best score among those that pass every stage.
 ///
 /// What is asked of a score grows with the places of the whole bag that could have given the match,
-/// for all of them were asked (`DecisionOptions`). A pose is rivalled when one that puts the query elsewhere in the world fits about as well: in another
-/// candidate with a pose in the world, or, without poses, in one of another session or whose id is
-/// at least `PlaceOptions::min_id_gap` away.
+/// for all of them were asked (`DecisionOptions`). A pose is rivalled when one that puts the query
+/// elsewhere in the world fits about as well: in another candidate with a pose in the world, or,
+/// without poses, in one of another session or whose id is at least `PlaceOptions::min_id_gap`
+/// away.
 ///
 /// Every candidate is matched. What could tell beforehand that one cannot come into question is too
 /// weak to pay: in rooms, the best bound that the number of pairs could give leaves out 1 to 13 %
@@ -127,8 +129,8 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
 /// @param bag         gives the candidates' graphs by `find`, and what is known of them by `info`
 /// @param candidates  from `bag.query`
 /// Deterministic; ties go to the smaller id.
-template <typename Bag>
-Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
+template <typename Bag, typename Scalar>
+Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query,
                               const std::vector<Candidate>& candidates,
                               const RecognitionOptions& options = {}) {
   Recognition recognition;
@@ -166,10 +168,23 @@ Recognition verify_candidates(const Bag& bag, const typename Bag::Graph& query,
       report.verdict = Verdict::outdone;
     } else {
       recognition.accepted = report;
+      if (report.place_pose) {
+        recognition.accepted->pose->T_candidate_query = report.place_pose->T_target_source;
+        recognition.accepted->pose->covariance = report.place_pose->covariance;
+      }
     }
   }
   return recognition;
 }
+
+#ifdef TOPOBAG_COMPILED  // these are in the library topobag::compiled
+extern template Recognition verify_candidates(
+    const BagOfTopologyGraphs<TopologyGraph<double>, ClassPairDistanceHistogram>&,
+    const TopologyGraph<double>&, const std::vector<Candidate>&, const RecognitionOptions&);
+extern template Recognition verify_candidates(const BagView&, const TopologyGraph<double>&,
+                                              const std::vector<Candidate>&,
+                                              const RecognitionOptions&);
+#endif
 
 }  // namespace v0
 }  // namespace topobag

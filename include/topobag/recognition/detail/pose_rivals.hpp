@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <optional>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <topobag/matching/correspondence.hpp>
+#include <topobag/matching/detail/cholesky.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/recognition/decision_options.hpp>
 
@@ -19,14 +19,13 @@ inline namespace v0 {
 namespace detail {
 
 /// Whether `pose` lies within the 95 % region of a pose that the matched objects leave open.
-template <typename Pose>
-bool within_uncertainty(const Pose& open, const Pose& pose) {
+inline bool within_uncertainty(const RelativePose& open, const RelativePose& pose) {
   const double chi2_95 = 12.5916;  // of six degrees of freedom
   const Eigen::Isometry3d between = pose.T_candidate_query * open.T_candidate_query.inverse();
   const Eigen::AngleAxisd turn(between.linear());
   Eigen::Matrix<double, 6, 1> xi;
   xi << between.translation(), turn.angle() * turn.axis();
-  return xi.dot((open.covariance + pose.covariance).ldlt().solve(xi)) <= chi2_95;
+  return squared_mahalanobis(open.covariance + pose.covariance, xi) <= chi2_95;
 }
 
 /// Matched objects of the query that another pose puts elsewhere, or leaves unmatched. All of them

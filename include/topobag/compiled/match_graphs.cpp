@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Of the library topobag::compiled: what TOPOBAG_COMPILED keeps other files from instantiating.
+#include <topobag/matching/match_graphs.hpp>
+#include <topobag/recognition/explain.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+template GraphMatch match_graphs(const TopologyGraph<double>&, const TopologyGraph<double>&,
+                                 const MatchOptions&);
+template CandidateExplanation explain_candidate(const CandidateReport&,
+                                                const TopologyGraph<double>&,
+                                                const TopologyGraph<double>&, const ClassCatalog&,
+                                                const RecognitionOptions&, std::optional<double>);
+
+}  // namespace v0
+}  // namespace topobag
