@@ -49,7 +49,7 @@ includes "${headers[@]}" | awk -v rooms="$rooms" -v umbrella='^(core|evaluation|
     may["root", "root"] = 1
   }
   $2 ~ /^"/ { say("includes " $2 "\" by quotes: write <topobag/...>") }
-  $2 ~ /^(CGAL|opencv2|sqlite3)/ && $1 !~ /^adaptors\// &&
+  $2 ~ /^(CGAL|opencv2|sqlite3|libpq)/ && $1 !~ /^adaptors\// &&
     $1 !~ /^edges\/(detail\/)?(delaunay|gabriel|relative_neighborhood|minimum_spanning_tree)/ {
     say("needs " $2 ": only Eigen may be needed here")
   }
@@ -102,7 +102,7 @@ done >>"$violations"
 
 # These are what needs Eigen alone.
 for header in $(reached core.hpp evaluation.hpp); do
-  includes "$header" | awk '$2 ~ /^(CGAL|opencv2|sqlite3)/ { print "core.hpp or evaluation.hpp reaches " $1 ", which needs " $2 }'
+  includes "$header" | awk '$2 ~ /^(CGAL|opencv2|sqlite3|libpq)/ { print "core.hpp or evaluation.hpp reaches " $1 ", which needs " $2 }'
 done >>"$violations"
 
 # A program names no detail.

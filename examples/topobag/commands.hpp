@@ -10,6 +10,7 @@ namespace program {
 // leaves no half of it there.
 void add_compare_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
+void add_fleet_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
 void add_localize_command(CLI::App& app);

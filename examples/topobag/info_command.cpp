@@ -16,6 +16,7 @@
 #include <topobag/types/class_catalog.hpp>
 
 #include "commands.hpp"
+#include "fleet_address.hpp"
 #include "json_output.hpp"
 #include "saved_map.hpp"
 
@@ -106,7 +107,9 @@ void inform(const InfoArguments& arguments) {
   }
   const Json result{{"map", arguments.map},
                     {"format", map.format},
-                    {"file_bytes", std::filesystem::file_size(arguments.map)},
+                    {"file_bytes", is_fleet_address(arguments.map)
+                                       ? Json()
+                                       : Json(std::filesystem::file_size(arguments.map))},
                     {"keyframes", figures.keyframes},
                     {"usable", figures.usable},
                     {"objects_per_keyframe", or_null(mean_of(figures.objects))},
@@ -124,7 +127,7 @@ void inform(const InfoArguments& arguments) {
 void add_info_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("info", "Says what a map holds");
   const auto arguments = std::make_shared<InfoArguments>();
-  command.add_option("map", arguments->map, "SQLite map or snapshot")->required();
+  command.add_option("map", arguments->map, "SQLite map, snapshot, or a fleet's: postgresql://…?site=NAME")->required();
   add_classes_option(command, arguments->classes);
   command.add_flag("--json", arguments->json, "In JSON");
   command.callback([arguments] { inform(*arguments); });

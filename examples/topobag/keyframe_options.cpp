@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "keyframe_options.hpp"
 
+#include <algorithm>
 #include <limits>
 
+#include "fleet_address.hpp"
 #include "gravity_options.hpp"
 #include "number_check.hpp"
 #include "progress.hpp"
@@ -71,7 +73,11 @@ RecognitionRun read_sequence(const std::string& nodes, KeyframeOptions options,
   RecognitionRun run;
   run.classes = options.classes;
   run.map_set = run.query_set = set_name(nodes);
-  run.map = run.queries = read_keyframes(nodes, options);
+  // A fleet's key frames come robot by robot; here time counts.
+  run.map = is_fleet_address(nodes) ? read_map(nodes, options) : read_keyframes(nodes, options);
+  std::stable_sort(run.map.begin(), run.map.end(),
+                   [](const Keyframe& l, const Keyframe& r) { return l.timestamp < r.timestamp; });
+  run.queries = run.map;
   return run;
 }
 

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
                                         std::to_string(TOPOBAG_VERSION_PATCH));
   program::add_compare_command(app);
   program::add_evaluate_command(app);
+  program::add_fleet_command(app);
   program::add_info_command(app);
   program::add_explain_command(app);
   program::add_localize_command(app);

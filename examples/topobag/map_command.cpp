@@ -40,7 +40,8 @@ void add_map_command(CLI::App& app) {
       ->required();
   command
       .add_option("--out", arguments->out,
-                  "Map to write: FILE.db for a durable one on SQLite, else a snapshot")
+                  "Map to write: FILE.db for a durable one on SQLite, postgresql://…?site=NAME for a "
+                  "fleet's, else a snapshot")
       ->required();
   command.add_option("--session", arguments->session,
                      "Name of the run [that of the table]; for FILE.db");

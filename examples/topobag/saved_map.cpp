@@ -16,6 +16,8 @@
 #include <topobag/types/catalog_fingerprint.hpp>
 #include <topobag/types/utf8.hpp>
 
+#include "fleet_address.hpp"
+#include "fleet_map.hpp"
 #include "input_error.hpp"
 #include "sqlite_map.hpp"
 
@@ -124,10 +126,12 @@ Bag new_entries(const Bag& bag, const std::vector<Keyframe>& keyframes) {
 }
 
 bool is_saved_map(const std::string& path) {
+  if (is_fleet_address(path)) return true;
   return set_name(path) == path && fs::is_regular_file(path);
 }
 
 SavedMap read_saved_map(const std::string& path, const topobag::ClassCatalog& catalog) {
+  if (is_fleet_address(path)) return read_fleet_map(path, catalog);
   return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path, catalog)
                                           : read_snapshot(path, catalog);
 }
@@ -136,6 +140,12 @@ void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, const topobag::ClassCatalog& catalog,
                      bool append) {
   topobag::require_utf8(session, "--session");
+  if (is_fleet_address(path)) {
+    const Bag entries = new_entries(Bag(), keyframes);
+    require_new(path, read_fleet_map(path, catalog).bag, entries);
+    extend_fleet_map(path, session, entries, catalog);
+    return;
+  }
   if (fs::is_directory(path)) throw InputError(path, "it is a folder; name a file in it");
   const topobag::WriterLock lock(path);
   const bool exists = fs::exists(path);

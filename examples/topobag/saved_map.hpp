@@ -11,7 +11,7 @@
 
 namespace program {
 
-/// A map read from a file: an SQLite map or a snapshot.
+/// A map read from a file, an SQLite map or a snapshot, or from a fleet's server.
 struct SavedMap {
   std::string format;  ///< such as "SQLite map, schema 1"
   std::vector<SavedSession> sessions;
@@ -34,7 +34,7 @@ SavedMap read_saved_map(const std::string& path,
 
 /// Writes a session, whole or not at all: FILE.db becomes an SQLite map, any other name a snapshot;
 /// a map that is there stays what it is and has to be asked for with `append`. Who writes to the
-/// same map meanwhile waits.
+/// same map meanwhile waits. A fleet's server takes a session at any time.
 /// @param catalog  of the key frames' objects, which the map keeps: it is read with no other
 /// Throws InputError and topobag::Error.
 void write_saved_map(const std::string& path, const std::string& session,

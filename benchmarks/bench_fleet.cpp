@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// What does a fleet's server take and give?
+//
+// On a PostgreSQL of its own, with fsync: versions a second pushed by 1, 8 and 32 robots at once in
+// batches, beside COPY of the same bytes by one connection, in turns, into a table without and with
+// the fleet's indexes; how long a pushed key frame takes to a follower; how long a new follower
+// takes to catch up, and the memory that it has then.
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <libpq-fe.h>
+
+#include <topobag/adaptors/fleet_bag.hpp>
+
+#include "adaptors/postgres_server.hpp"
+#include "bag/realistic_graphs.hpp"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Versions = std::vector<topobag::FleetVersion>;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Key frames of 12 objects, each of a session of its robot's.
+Versions some_versions(std::size_t count) {
+  std::mt19937 random(1);
+  std::vector<topobag::TopologyGraph<>> graphs;
+  for (int i = 0; i < 500; ++i) graphs.push_back(realistic_graph(random, 12, false));
+  const topobag::Uuid robot = topobag::random_uuid(), session = topobag::random_uuid();
+  topobag::EntryInfo info;
+  info.T_world_camera = Eigen::Isometry3d(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
+  Versions versions;
+  for (std::size_t i = 0; i < count; ++i) {
+    info.stamp = static_cast<double>(i);
+    info.T_world_camera->translation().x() = static_cast<double>(i) / 10.0;
+    versions.push_back(topobag::version_of({"hall", robot, session, topobag::KeyframeId{i}}, info,
+                                           graphs[i % graphs.size()]));
+    versions.back().seq = static_cast<std::int64_t>(i) + 1;
+  }
+  return versions;
+}
+
+/// Versions a second of so many robots at once.
+double pushed(const std::string& conninfo, const Versions& versions, std::size_t robots,
+              std::size_t batch) {
+  std::vector<std::thread> threads;
+  const auto start = Clock::now();
+  for (std::size_t robot = 0; robot < robots; ++robot) {
+    threads.emplace_back([&, robot] {
+      topobag::PostgresStore store(conninfo);
+      const topobag::Uuid uuid = topobag::random_uuid();
+      const std::size_t share = versions.size() / robots;
+      for (std::size_t at = robot * share; at < (robot + 1) * share; at += batch) {
+        const std::size_t end = std::min(at + batch, (robot + 1) * share);
+        Versions part(versions.begin() + static_cast<std::ptrdiff_t>(at),
+                      versions.begin() + static_cast<std::ptrdiff_t>(end));
+        for (auto& version : part) version.key.robot = uuid;
+        store.append(part);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  return static_cast<double>(versions.size()) / seconds_since(start);
+}
+
+/// Rows a second of COPY of everything that has been pushed, in batches of one transaction each.
+double copied(const std::string& conninfo, const std::string& table, std::size_t batch) {
+  PGconn* connection = PQconnectdb(conninfo.c_str());
+  PQclear(PQexec(connection, "COPY (SELECT * FROM topobag.version) TO STDOUT (FORMAT text)"));
+  std::vector<std::string> lines;
+  char* line = nullptr;
+  for (int size = 0; (size = PQgetCopyData(connection, &line, 0)) > 0; PQfreemem(line)) {
+    lines.emplace_back(line, static_cast<std::size_t>(size));
+  }
+  PQclear(PQgetResult(connection));
+  const auto start = Clock::now();
+  for (std::size_t at = 0; at < lines.size(); at += batch) {
+    PQclear(PQexec(connection, ("COPY " + table + " FROM STDIN (FORMAT text)").c_str()));
+    for (std::size_t i = at; i < std::min(at + batch, lines.size()); ++i) {
+      PQputCopyData(connection, lines[i].data(), static_cast<int>(lines[i].size()));
+    }
+    PQputCopyEnd(connection, nullptr);
+    PGresult* result = PQgetResult(connection);
+    if (PQresultStatus(result) != PGRES_COMMAND_OK) throw std::runtime_error(PQerrorMessage(connection));
+    PQclear(result);
+    PQclear(PQgetResult(connection));
+  }
+  const double rate = static_cast<double>(lines.size()) / seconds_since(start);
+  PQfinish(connection);
+  return rate;
+}
+
+std::string fleet_base(PostgresServer& server) {
+  const std::string conninfo = server.new_base();
+  topobag::PostgresStore store(conninfo);
+  store.prepare();
+  store.add_site("hall", 0);
+  return conninfo;
+}
+
+void measure_rates(PostgresServer& server, const Versions& versions, std::size_t batch) {
+  for (const std::size_t robots : {std::size_t{1}, std::size_t{8}, std::size_t{32}}) {
+    const std::string conninfo = fleet_base(server);
+    server.sql("CREATE TABLE bare (LIKE topobag.version);"
+               "CREATE TABLE indexed (LIKE topobag.version INCLUDING INDEXES)", conninfo);
+    const double push = pushed(conninfo, versions, robots, batch);
+    const double bare = copied(conninfo, "bare", batch);
+    const double indexed = copied(conninfo, "indexed", batch);
+    const std::string bytes = server.sql(
+        "SELECT sum(pg_total_relation_size(relid)) / (SELECT count(*) FROM topobag.version)"
+        " FROM pg_partition_tree('topobag.version')", conninfo);
+    std::printf("{\"bench\":\"fleet_push\",\"robots\":%zu,\"batch\":%zu,\"versions\":%zu,"
+                "\"push_per_s\":%.0f,\"copy_per_s\":%.0f,\"copy_indexed_per_s\":%.0f,"
+                "\"push_of_copy\":%.2f,\"push_of_copy_indexed\":%.2f,\"bytes_per_row\":%s}\n",
+                robots, batch, versions.size(), push, bare, indexed, push / bare, push / indexed,
+                bytes.substr(0, bytes.find('.')).c_str());
+    std::fflush(stdout);
+  }
+}
+
+/// From the call that pushes a key frame until a follower's bag holds it.
+void measure_delay(PostgresServer& server, const Versions& versions, std::size_t rounds) {
+  const std::string conninfo = fleet_base(server);
+  topobag::FleetBag fleet({{conninfo, {"hall"}}});
+  fleet.follow();
+  std::vector<double> delays;
+  std::vector<Clock::time_point> starts(rounds);
+  std::thread robot([&] {
+    topobag::PostgresStore store(conninfo);
+    for (std::size_t i = 0; i < rounds; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      starts[i] = Clock::now();
+      store.append({versions[i]});
+    }
+  });
+  while (delays.size() < rounds) {
+    fleet.wait();
+    fleet.follow();
+    while (delays.size() < fleet.size()) {
+      delays.push_back(1000.0 * seconds_since(starts[delays.size()]));
+    }
+  }
+  robot.join();
+  std::sort(delays.begin(), delays.end());
+  std::printf("{\"bench\":\"fleet_delay\",\"pushes\":%zu,\"median_ms\":%.2f,\"p99_ms\":%.2f}\n",
+              rounds, delays[rounds / 2], delays[rounds * 99 / 100]);
+}
+
+void measure_catch_up(PostgresServer& server, const Versions& versions, std::size_t batch) {
+  const std::string conninfo = fleet_base(server);
+  pushed(conninfo, versions, 1, batch);
+  topobag::FleetBag fleet({{conninfo, {"hall"}}});
+  const auto start = Clock::now();
+  const std::size_t taken = fleet.follow();
+  const double took = seconds_since(start);
+  const topobag::MemoryUsage memory = fleet.view()->memory_usage();
+  std::printf("{\"bench\":\"fleet_catch_up\",\"versions\":%zu,\"seconds\":%.2f,"
+              "\"bag_bytes_per_keyframe\":%.0f}\n",
+              taken, took,
+              static_cast<double>(memory.graphs + memory.index + memory.entries) /
+                  static_cast<double>(taken));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (!PostgresServer::is_installed()) return 0;
+  const std::size_t rows = argc > 1 ? std::stoul(argv[1]) : 100000;
+  const std::size_t batch = argc > 2 ? std::stoul(argv[2]) : 1000;
+  PostgresServer server({"fsync=on", "shared_buffers=256MB", "max_wal_size=8GB"});
+  const Versions versions = some_versions(rows);
+  measure_rates(server, versions, batch);
+  measure_delay(server, versions, std::min<std::size_t>(rows, 1000));
+  measure_catch_up(server, versions, batch);
+}

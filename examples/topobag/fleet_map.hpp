@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/types/class_catalog.hpp>
+
+#include "fleet_address.hpp"
+#include "saved_map.hpp"
+
+// What the program asks a fleet's servers. Each call throws topobag::Error, and InputError where the
+// program was built without libpq.
+namespace program {
+
+/// The key frames of the address' sites, by site, robot, session and number.
+SavedMap read_fleet_map(const std::string& address, const topobag::ClassCatalog& catalog);
+
+/// Adds a session of a robot to the address' site: whole, or not at all.
+void extend_fleet_map(const std::string& address, const std::string& session,
+                      const topobag::BagOfTopologyGraphs<>& entries,
+                      const topobag::ClassCatalog& catalog);
+
+/// Prepares the data base, and makes those of the address' sites that are not there.
+void prepare_fleet(const FleetAddress& address, const topobag::ClassCatalog& catalog);
+
+/// Lets a role read the address' sites, and write there as the address' robot where it names one.
+void admit_to_fleet(const FleetAddress& address, const std::string& role);
+
+/// Sends what the server lacks of an SQLite map, which becomes the fleet's by that. Returns how
+/// many versions were added.
+std::size_t push_to_fleet(const FleetAddress& address, const std::string& map);
+
+/// Follows the address' sites and tells how many key frames of how many sessions there are,
+/// whenever that changes, and why a server cannot be asked, until the time is up; without one, for
+/// ever.
+void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& catalog,
+                  std::optional<std::chrono::seconds> time,
+                  const std::function<void(const std::string&)>& tell);
+
+/// What a server holds of a site.
+struct SiteFigures {
+  std::string name;
+  std::size_t versions = 0;
+  std::size_t robots = 0;
+};
+/// Of all sites that may be read.
+std::vector<SiteFigures> fleet_status(const FleetAddress& address);
+
+}  // namespace program

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "fleet_map.hpp"
+
+#include "input_error.hpp"
+
+namespace program {
+namespace {
+
+[[noreturn]] void refuse() {
+  throw InputError("the program was built without libpq and SQLite3; install them, build again");
+}
+
+}  // namespace
+
+SavedMap read_fleet_map(const std::string&, const topobag::ClassCatalog&) { refuse(); }
+
+void extend_fleet_map(const std::string&, const std::string&,
+                      const topobag::BagOfTopologyGraphs<>&, const topobag::ClassCatalog&) {
+  refuse();
+}
+
+void prepare_fleet(const FleetAddress&, const topobag::ClassCatalog&) { refuse(); }
+
+void admit_to_fleet(const FleetAddress&, const std::string&) { refuse(); }
+
+std::size_t push_to_fleet(const FleetAddress&, const std::string&) { refuse(); }
+
+void follow_fleet(const FleetAddress&, const topobag::ClassCatalog&,
+                  std::optional<std::chrono::seconds>,
+                  const std::function<void(const std::string&)>&) {
+  refuse();
+}
+
+std::vector<SiteFigures> fleet_status(const FleetAddress&) { refuse(); }
+
+}  // namespace program

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <libpq-fe.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <topobag/adaptors/detail/postgres_parameters.hpp>
+#include <topobag/adaptors/detail/postgres_result.hpp>
+#include <topobag/error.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// A statement that the server refused, with PostgreSQL's code for why.
+class PostgresRefusal : public Error {
+ public:
+  PostgresRefusal(const std::string& what, std::string code, std::string constraint)
+      : Error(what), code_(std::move(code)), constraint_(std::move(constraint)) {}
+  const std::string& code() const noexcept { return code_; }
+  const std::string& constraint() const noexcept { return constraint_; }
+
+ private:
+  std::string code_, constraint_;
+};
+
+/// An open connection. What libpq reads of passwords, service files and TLS holds here.
+class PostgresConnection {
+ public:
+  /// @param silence  how long the server may say nothing before it counts as lost
+  /// Throws Error when there is no connection; the text never holds the password.
+  PostgresConnection(const std::string& conninfo, std::chrono::milliseconds silence)
+      : silence_(silence) {
+    const long seconds = std::max(2L, static_cast<long>(silence.count() / 1000));
+    const std::string patience = std::to_string(seconds);
+    // What comes later holds: the user's own connect_timeout, but not another encoding.
+    const char* const keys[] = {"connect_timeout", "dbname", "client_encoding", nullptr};
+    const char* const values[] = {patience.c_str(), conninfo.c_str(), "UTF8", nullptr};
+    connection_.reset(PQconnectdbParams(keys, values, 1));
+    const auto part = [&](const char* text) { return std::string(text == nullptr ? "" : text); };
+    name_ = "PostgreSQL at " + part(PQhost(get())) + ", port " + part(PQport(get())) +
+            ", data base " + part(PQdb(get()));
+    if (PQstatus(get()) != CONNECTION_OK) lose(said());
+    PQsetNoticeProcessor(get(), [](void*, const char*) {}, nullptr);  // stderr is the program's
+    PQsetnonblocking(get(), 1);
+    // What a follower has seen must outlive the server's crash; names mean PostgreSQL's own.
+    run("SELECT set_config('search_path', 'pg_catalog', false), set_config('synchronous_commit',"
+        " CASE current_setting('synchronous_commit') WHEN 'off' THEN 'on'"
+        " ELSE current_setting('synchronous_commit') END, false)");
+  }
+
+  /// For people: host, port and data base.
+  const std::string& name() const noexcept { return name_; }
+  bool is_open() const noexcept { return connection_ && PQstatus(get()) == CONNECTION_OK; }
+  int socket() const noexcept { return PQsocket(get()); }
+
+  /// Runs a statement. Throws PostgresRefusal when the server says no, Error when it is lost.
+  PostgresResult run(const char* sql, const PostgresParameters& parameters = {}) {
+    std::vector<const char*> values;
+    std::vector<int> lengths;
+    for (const std::string& value : parameters.values()) {
+      values.push_back(value.data());
+      lengths.push_back(static_cast<int>(value.size()));
+    }
+    const std::vector<int> binary(values.size(), 1);
+    if (PQsendQueryParams(get(), sql, static_cast<int>(values.size()), parameters.types().data(),
+                          values.data(), lengths.data(), binary.data(), 1) == 0) {
+      lose(said());
+    }
+    return answer();
+  }
+
+  /// Runs statements without parameters, one after another, whole or not at all.
+  void run_all(const char* sql) {
+    if (PQsendQuery(get(), sql) == 0) lose(said());
+    answer();
+  }
+
+  /// Whether the server has notified since it was asked last. Throws Error when it is lost.
+  bool notified() {
+    if (PQconsumeInput(get()) == 0) lose(said());
+    bool any = false;
+    struct Free {
+      void operator()(PGnotify* notice) const noexcept { PQfreemem(notice); }
+    };
+    while (std::unique_ptr<PGnotify, Free>(PQnotifies(get()))) any = true;
+    return any;
+  }
+
+ private:
+  struct Finish {
+    void operator()(PGconn* connection) const noexcept { PQfinish(connection); }
+  };
+
+  PGconn* get() const noexcept { return connection_.get(); }
+
+  /// What libpq says, in one line.
+  std::string said() const { return in_one_line(PQerrorMessage(get())); }
+  static std::string in_one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text;
+  }
+
+  [[noreturn]] void lose(const std::string& why) {
+    connection_.reset();
+    throw Error(name_ + ": " + (why.empty() ? "the connection is lost" : why));
+  }
+
+  /// Waits until the server's words, or its ear, are there.
+  void wait(short events) {
+    ::pollfd waiting{socket(), events, 0};
+    if (::poll(&waiting, 1, static_cast<int>(silence_.count())) > 0) return;
+    lose("the server has said nothing for " + std::to_string(silence_.count()) +
+         " ms; what it had not acknowledged is sent again next time");
+  }
+
+  /// The last result of what was sent.
+  PostgresResult answer() {
+    int unsent = 0;
+    while ((unsent = PQflush(get())) == 1) {
+      wait(POLLIN | POLLOUT);
+      if (PQconsumeInput(get()) == 0) lose(said());
+    }
+    if (unsent < 0) lose(said());
+    PostgresResult last(nullptr);
+    for (;;) {
+      while (PQisBusy(get()) != 0) {
+        wait(POLLIN);
+        if (PQconsumeInput(get()) == 0) lose(said());
+      }
+      PostgresResult result(PQgetResult(get()));
+      if (result.get() == nullptr) break;
+      last = std::move(result);
+      const ExecStatusType status = PQresultStatus(last.get());
+      if (status == PGRES_COPY_IN || status == PGRES_COPY_OUT || status == PGRES_COPY_BOTH) break;
+    }
+    const ExecStatusType status = last.get() ? PQresultStatus(last.get()) : PGRES_FATAL_ERROR;
+    if (status == PGRES_TUPLES_OK || status == PGRES_COMMAND_OK) return last;
+    const auto field = [&](int which) {
+      const char* text = last.get() ? PQresultErrorField(last.get(), which) : nullptr;
+      return std::string(text == nullptr ? "" : text);
+    };
+    if (PQstatus(get()) != CONNECTION_OK || field(PG_DIAG_SQLSTATE).empty()) lose(said());
+    throw PostgresRefusal(name_ + ": " + in_one_line(field(PG_DIAG_MESSAGE_PRIMARY)),
+                          field(PG_DIAG_SQLSTATE), field(PG_DIAG_CONSTRAINT_NAME));
+  }
+
+  std::chrono::milliseconds silence_;
+  std::string name_;
+  std::unique_ptr<PGconn, Finish> connection_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <topobag/adaptors/detail/postgres_parameters.hpp>
+#include <topobag/adaptors/detail/postgres_result.hpp>
+#include <topobag/adaptors/fleet/fleet_version.hpp>
+#include <topobag/bag/detail/crc32.hpp>
+#include <topobag/types/appearance.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+// A 64-bit id and PostgreSQL's signed integer hold each other's bits.
+inline std::int64_t postgres_id(KeyframeId id) { return static_cast<std::int64_t>(value(id)); }
+
+/// A kind of descriptors in one number.
+inline std::int64_t appearance_number(AppearanceKind kind) {
+  return static_cast<std::int64_t>(std::uint64_t{kind.number()} << 8 | kind.length());
+}
+/// Throws InvalidValue for the number of no kind.
+inline AppearanceKind appearance_of(std::uint64_t number) {
+  const auto length = static_cast<std::size_t>(number & 0xFF);
+  return length == 0 ? AppearanceKind() : AppearanceKind(std::uint32_t(number >> 8), length);
+}
+
+/// Of all that a version says of its key frame: two of one name and another content differ here.
+inline std::int64_t checksum_of(const FleetVersion& version) {
+  std::string content = postgres_bytes(version.tombstone) +
+                        postgres_bytes(postgres_id(version.key.keyframe)) +
+                        postgres_bytes(version.stamp.value_or(0.0)) + version.label;
+  if (version.pose) {
+    for (const double x : *version.pose) content += postgres_bytes(x);
+  }
+  content.append(version.graph.begin(), version.graph.end());
+  return std::int64_t{
+      crc32(reinterpret_cast<const std::uint8_t*>(content.data()), content.size())};
+}
+
+inline constexpr const char* postgres_append =
+    "INSERT INTO topobag.version(site, robot, session, seq, checksum, keyframe, run, stamp, label,"
+    " tx, ty, tz, qx, qy, qz, qw, graph, catalog, appearance, tombstone)"
+    " SELECT * FROM unnest($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13, $14, $15, $16,"
+    " $17, $18, $19, $20) ON CONFLICT DO NOTHING";
+/// Which of them the server holds with another content, of the same parameters' first five.
+inline constexpr const char* postgres_contradicted =
+    "SELECT count(*) FROM unnest($1, $2, $3, $4, $5) AS ours(site, robot, session, seq, checksum)"
+    " JOIN topobag.version AS theirs USING (site, robot, session, seq)"
+    " WHERE theirs.checksum <> ours.checksum";
+inline constexpr const char* postgres_read =
+    "SELECT arrival, robot, session, seq, keyframe, run, stamp, label, tx, ty, tz, qx, qy, qz, qw,"
+    " graph, catalog, appearance, checksum, tombstone FROM topobag.version"
+    " WHERE site = $1 AND arrival >= $2 AND arrival < pg_snapshot_xmin(pg_current_snapshot())"
+    " AND (arrival, robot, session, seq) > ($2, $3, $4, $5)"
+    " ORDER BY arrival, robot, session, seq LIMIT $6";
+
+/// What names versions, and their checksums.
+inline PostgresParameters name_parameters(const std::vector<FleetVersion>& versions) {
+  PostgresParameters parameters;
+  parameters
+      .add_array(postgres_text, versions, [](const auto& v) { return v.key.site; })
+      .add_array(postgres_uuid, versions, [](const auto& v) { return v.key.robot; })
+      .add_array(postgres_uuid, versions, [](const auto& v) { return v.key.session; })
+      .add_array(postgres_int8, versions, [](const auto& v) { return v.seq; })
+      .add_array(postgres_int8, versions, [](const auto& v) { return checksum_of(v); });
+  return parameters;
+}
+
+/// The parameters of `postgres_append`.
+inline PostgresParameters row_parameters(const std::vector<FleetVersion>& versions) {
+  PostgresParameters parameters = name_parameters(versions);
+  const auto bytes = [](const std::string& text) { return text; };
+  parameters
+      .add_array(postgres_int8, versions, [](const auto& v) { return postgres_id(v.key.keyframe); })
+      .add_array(postgres_bytea, versions, [&](const auto& v) { return bytes(v.run); })
+      .add_array(postgres_float8, versions, [](const auto& v) { return v.stamp; })
+      .add_array(postgres_bytea, versions, [&](const auto& v) { return bytes(v.label); });
+  for (std::size_t i = 0; i < 7; ++i) {
+    parameters.add_array(postgres_float8, versions, [i](const FleetVersion& v) {
+      return v.pose ? std::optional<double>((*v.pose)[i]) : std::nullopt;
+    });
+  }
+  parameters.add_array(postgres_bytea, versions, [](const auto& v) { return v.graph; })
+      .add_array(postgres_int8, versions,
+                 [](const auto& v) { return static_cast<std::int64_t>(v.catalog); })
+      .add_array(postgres_int8, versions,
+                 [](const auto& v) { return appearance_number(v.appearance); })
+      .add_array(postgres_bool, versions, [](const auto& v) { return v.tombstone; });
+  return parameters;
+}
+
+/// A row of `postgres_read` of a site. Throws FormatError for what is damaged.
+inline FleetVersion read_version(const PostgresResult& rows, int row, const std::string& site) {
+  FleetVersion version;
+  version.key = {site, rows.uuid(row, 1), rows.uuid(row, 2), KeyframeId{rows.bits(row, 4)}};
+  version.seq = rows.integer(row, 3);
+  version.run = rows.text(row, 5);
+  version.stamp = rows.number(row, 6);
+  version.label = rows.text(row, 7);
+  if (!rows.is_null(row, 8)) {
+    version.pose.emplace();
+    for (int i = 0; i < 7; ++i) {
+      const double missing = std::numeric_limits<double>::quiet_NaN();  // which no pose holds
+      (*version.pose)[std::size_t(i)] = rows.number(row, 8 + i).value_or(missing);
+    }
+  }
+  version.graph = rows.bytes(row, 15);
+  version.catalog = rows.bits(row, 16);
+  version.appearance = appearance_of(rows.bits(row, 17));
+  version.tombstone = rows.flag(row, 19);
+  return version;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag

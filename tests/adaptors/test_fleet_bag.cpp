@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <topobag/adaptors/fleet_bag.hpp>
+
+#include "adaptors/postgres_server.hpp"
+#include "catch.hpp"
+#include "error_text.hpp"
+#include "random_graphs.hpp"
+#include "scratch_folder.hpp"
+
+using namespace topobag;
+
+namespace {
+
+/// A site's server, ready.
+std::string fleet_base(std::vector<std::string> sites = {"hall"}) {
+  const std::string conninfo = shared_postgres().new_base();
+  PostgresStore store(conninfo);
+  store.prepare();
+  for (const std::string& site : sites) store.add_site(site, 0);
+  return conninfo;
+}
+
+}  // namespace
+
+TEST_CASE("what a robot pushes is in every follower's bag", "[fleet]") {
+  if (!PostgresServer::is_installed()) return;
+  const ScratchFolder folder;
+  const std::string conninfo = fleet_base();
+  std::mt19937 random(1);
+  const Uuid robot = random_uuid();
+  enlist(folder.path("map.db"), "hall", robot);
+  SqliteBag<> map(folder.path("map.db"));
+  EntryInfo info;
+  info.session = map.begin_session("Monday");
+  info.stamp = 1.5;
+  info.label = std::string("a\0b'; DROP TABLE topobag.version; --", 36);
+  info.T_world_camera = Eigen::Isometry3d(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));
+  const std::uint64_t great = 0xFFFFFFFF00000001;
+  map.add(KeyframeId{great}, random_graph(random, 8), info);
+  map.add(KeyframeId{2}, random_graph(random, 8), info);
+
+  PostgresStore store(conninfo);
+  const FleetOutbox outbox(folder.path("map.db"));
+  FleetBag fleet({{conninfo, {"hall"}}});
+  CHECK(fleet.follow() == 0);
+  CHECK(push(outbox, store) == 2);
+  CHECK(push(outbox, store) == 0);
+  CHECK(fleet.wait());
+  CHECK(fleet.follow() == 2);
+  CHECK(fleet.follow() == 0);
+  const auto view = fleet.view();
+  REQUIRE(view->size() == 2);
+  const auto found = view->query(*map.bag().find(KeyframeId{great}));
+  REQUIRE(found.size() == 2);
+  CHECK(found.front().score > 0.99);
+  const FleetKey key = view->key(found.front().id);
+  CHECK(key.site == "hall");
+  CHECK(key.robot == robot);
+  CHECK(key.keyframe == KeyframeId{great});
+  CHECK(view->sessions().front().run == "Monday");
+  CHECK(view->info(found.front().id)->label == info.label);
+  CHECK(view->info(found.front().id)->stamp == info.stamp);
+  CHECK(view->info(found.front().id)->T_world_camera->matrix() ==
+        map.bag().info(KeyframeId{great})->T_world_camera->matrix());
+
+  map.erase(KeyframeId{2});
+  info.stamp = 2.5;
+  map.update(KeyframeId{great}, random_graph(random, 3), info);
+  CHECK(push(outbox, store) == 2);
+  CHECK(fleet.follow() == 2);
+  CHECK(fleet.size() == 1);
+  CHECK(fleet.view()->info(found.front().id)->stamp == 2.5);
+  CHECK(view->size() == 2);
+  CHECK(fleet.refused().empty());
+}
