@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include <topobag/graph/keyframe_sighting.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <topobag/edges/delaunay_edges2.hpp>
-#include <topobag/graph/keyframe_sighting.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 

@@ -42,6 +42,7 @@
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/graph/local_graph_options.hpp>
 #include <topobag/graph/object_track.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/graph/topology_weight.hpp>
 #include <topobag/graph/vertex_matrix.hpp>
@@ -71,6 +72,7 @@
 #include <topobag/matching/size_prior.hpp>
 #include <topobag/matching/usual_size_spreads.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
+#include <topobag/platform.hpp>
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/calibration.hpp>
 #include <topobag/recognition/calibration_text.hpp>

@@ -90,9 +90,13 @@ class SqliteBag {
     require_new(id);
     Row row = row_of(id, graph, info);
     const AppearanceKind kind = kind_with(appearance_kind_, graph);
-    change([&] { put(detail::sqlite_insert, row); });
+    change(
+        [&] {
+          put(detail::sqlite_insert, row);
+          bag_.add(id, std::move(row.graph), as_read(row.entry.info));
+        },
+        {id});
     appearance_kind_ = kind;
-    bag_.add(id, std::move(row.graph), as_read(row.entry.info));
   }
 
   /// Adds a new run of the robot and all of its key frames: all are there afterwards, or nothing
@@ -103,24 +107,26 @@ class SqliteBag {
   template <typename Run>
   std::uint32_t add_session(const std::string& name, const Run& run) {
     std::vector<Row> rows;
+    std::vector<KeyframeId> ids;
     AppearanceKind kind = appearance_kind_;
     run.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
       require_new(id);
       kind = kind_with(kind, graph);
       rows.push_back(row_of(id, graph, info));
+      ids.push_back(id);
     });
     std::uint32_t session = 0;
-    change([&] {
-      session = detail::note_session(connection_, name);
-      for (Row& row : rows) {
-        row.entry.info.session = session;
-        put(detail::sqlite_insert, row);
-      }
-    });
+    change(
+        [&] {
+          session = detail::note_session(connection_, name);
+          for (Row& row : rows) {
+            row.entry.info.session = session;
+            put(detail::sqlite_insert, row);
+            bag_.add(row.entry.id, std::move(row.graph), as_read(row.entry.info));
+          }
+        },
+        ids);
     appearance_kind_ = kind;
-    for (Row& row : rows) {
-      bag_.add(row.entry.id, std::move(row.graph), as_read(row.entry.info));
-    }
     return session;
   }
 
@@ -132,20 +138,27 @@ class SqliteBag {
     }
     Row row = row_of(id, graph, info);
     const AppearanceKind kind = kind_with(appearance_kind_, graph);
-    change([&] { put(detail::sqlite_update, row); });
+    change(
+        [&] {
+          put(detail::sqlite_update, row);
+          bag_.update(id, std::move(row.graph), as_read(row.entry.info));
+        },
+        {id});
     appearance_kind_ = kind;
-    bag_.update(id, std::move(row.graph), as_read(row.entry.info));
   }
 
   /// Takes a key frame out; false if it was not there.
   bool erase(KeyframeId id) {
     if (!bag_.contains(id)) return false;
-    change([&] {
-      detail::SqliteStatement(connection_, "DELETE FROM keyframe WHERE id = ?")
-          .bind(detail::sqlite_id(id))
-          .step();
-    });
-    return bag_.erase(id);
+    change(
+        [&] {
+          detail::SqliteStatement(connection_, "DELETE FROM keyframe WHERE id = ?")
+              .bind(detail::sqlite_id(id))
+              .step();
+          bag_.erase(id);
+        },
+        {id});
+    return true;
   }
 
   /// Notes a new run of the robot, numbered on from the last one, from 0. Throws InvalidValue for a
@@ -168,15 +181,34 @@ class SqliteBag {
 
  private:
   /// A transaction that is refused when the file is no longer what the bag holds.
+  /// @param ids  key frames that `work` changes in the bag; should it, or the file, fail, they are
+  ///             again what the file holds
   template <typename Work>
-  void change(const Work& work) {
+  void change(const Work& work, const std::vector<KeyframeId>& ids = {}) {
     if (options_.read_only) throw Error(path() + ": the map was opened for reading only");
-    detail::SqliteTransaction transaction(connection_);
-    if (detail::sqlite_number(connection_, "PRAGMA data_version") != data_version_) {
-      throw Error(path() + ": another process has changed the map; open it again");
+    bool begun = false;
+    try {
+      detail::SqliteTransaction transaction(connection_);
+      if (detail::sqlite_number(connection_, "PRAGMA data_version") != data_version_) {
+        throw Error(path() + ": another process has changed the map; open it again");
+      }
+      begun = true;
+      work();
+      transaction.commit();
+    } catch (...) {
+      if (begun) restore(ids);
+      throw;
     }
-    work();
-    transaction.commit();
+  }
+
+  /// Makes key frames of the bag what the file holds.
+  void restore(const std::vector<KeyframeId>& ids) {
+    for (const KeyframeId id : ids) {
+      bag_.erase(id);
+      detail::SqliteStatement row(connection_, detail::sqlite_select_one);
+      row.bind(detail::sqlite_id(id));
+      read_rows(row);
+    }
   }
 
   /// What is written of a key frame, and its graph as it will be read.
@@ -224,6 +256,10 @@ class SqliteBag {
   void read_entries() {
     data_version_ = detail::sqlite_number(connection_, "PRAGMA data_version");
     detail::SqliteStatement rows(connection_, detail::sqlite_select);
+    read_rows(rows);
+  }
+
+  void read_rows(detail::SqliteStatement& rows) {
     while (rows.step()) {
       try {
         detail::EntryRecord entry = detail::read_row(rows);

@@ -57,8 +57,9 @@ class BagOfTopologyGraphs {
     }
     const AppearanceKind kind = kind_with(graph);
     auto entry = make_entry(std::move(graph), std::move(info));
+    auto descriptor = descriptor_of(entry->graph);  // may throw: before anything changes
     appearance_kind_ = kind;
-    place(id, *entries_.emplace(id, std::move(entry)).first->second);
+    place(id, *entries_.emplace(id, std::move(entry)).first->second, std::move(descriptor));
   }
 
   /// Replaces a key frame's graph and info. Throws InvalidId if `id` is not there.
@@ -69,10 +70,11 @@ class BagOfTopologyGraphs {
     }
     const AppearanceKind kind = kind_with(graph);
     auto entry = make_entry(std::move(graph), std::move(info));
+    auto descriptor = descriptor_of(entry->graph);
     appearance_kind_ = kind;
     displace(id, *it->second);
     it->second = std::move(entry);
-    place(id, *it->second);
+    place(id, *it->second, std::move(descriptor));
   }
 
   /// Takes a key frame out; false if it was not there.
@@ -194,9 +196,15 @@ class BagOfTopologyGraphs {
   std::shared_ptr<Entry> make_entry(Graph graph, EntryInfo info) const {
     info.validate();
     if constexpr (detail::is_topology_graph_v<Graph>) require_savable(graph);
-    auto entry = std::make_shared<Entry>(Entry{std::move(graph), std::move(info), {}});
-    if constexpr (precomputed && !indexed) entry->key = similarity_.descriptor(entry->graph);
-    return entry;
+    return std::make_shared<Entry>(Entry{std::move(graph), std::move(info), {}});
+  }
+
+  auto descriptor_of([[maybe_unused]] const Graph& graph) const {
+    if constexpr (precomputed) {
+      return similarity_.descriptor(graph);
+    } else {
+      return detail::Nothing{};
+    }
   }
 
   static ClassCounts objects_of([[maybe_unused]] const Graph& graph) {
@@ -205,10 +213,15 @@ class BagOfTopologyGraphs {
   }
 
   /// Makes an entry known to everything that finds entries.
-  void place(KeyframeId id, Entry& entry) {
+  template <typename Descriptor>
+  void place(KeyframeId id, Entry& entry, [[maybe_unused]] Descriptor descriptor) {
     places_.add(id, entry.info, objects_of(entry.graph));
     cameras_.add(id, entry.info);
-    if constexpr (indexed) entry.key = index_.add(id, similarity_.descriptor(entry.graph));
+    if constexpr (indexed) {
+      entry.key = index_.add(id, descriptor);
+    } else if constexpr (precomputed) {
+      entry.key = std::move(descriptor);
+    }
   }
   void displace(KeyframeId id, const Entry& entry) {
     places_.remove(id, entry.info, objects_of(entry.graph));
