@@ -93,6 +93,7 @@
 #include <topobag/recognition/temporal_consistency.hpp>
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
+#include <topobag/recognition/why.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_sampling.hpp>

@@ -56,3 +56,32 @@ TEST_CASE("a seed gives one layout, another seed another", "[recognition]") {
   CHECK(places(1) == places(1));
   CHECK(places(1) != places(2));
 }
+
+TEST_CASE("a permuted layout that knows the vertical keeps it, and every height along it",
+          "[recognition]") {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const Eigen::Vector3d down =
+        Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+    const TopologyGraph<> loose = random_graph(random, 3 + seed % 9, 4, false);
+    const TopologyGraph<> graph(loose.nodes(), {}, {}, Gravity<>{down});
+    const TopologyGraph<> layout = permuted_layout(graph, seed);
+    REQUIRE(layout.gravity());
+    CHECK(layout.gravity()->down == down);
+    const auto mean = [](const TopologyGraph<>& of) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const auto& node : of.nodes()) {
+        if (node.position) sum += *node.position;
+      }
+      return sum;
+    };
+    CHECK((mean(layout) - mean(graph)).norm() < 1e-9);
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+      const auto &was = graph.nodes()[i], &is = layout.nodes()[i];
+      if (was.position) {
+        CHECK(is.position->dot(down) == Approx(was.position->dot(down)).margin(1e-9));
+      }
+    }
+  }
+}

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <random>
 #include <vector>
+
+#include <Eigen/Cholesky>
 
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/matching/judge_pose.hpp>
@@ -207,4 +210,48 @@ TEST_CASE("a false match that one graph lets through is refused by its place",
   };
   CHECK(support(TopologyGraph<>(three.nodes(), {}, {view})) < support(three));
   CHECK(support(TopologyGraph<>(all.nodes(), {}, {view})) > support(three));
+}
+
+TEST_CASE("an accepted pose is tightened by the objects of the place around it", "[recognition]") {
+  std::mt19937 random(21);
+  double alone = 0.0, by_place = 0.0;
+  int tightened = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const SyntheticRoom room(seed, 12, 12);
+    const auto measured_from = [&](const Eigen::Isometry3d& camera) {
+      std::normal_distribution<double> normal;
+      const TopologyGraph<> exact = room.seen_from(camera);
+      std::vector<SemanticNode<>> nodes = exact.nodes();
+      for (SemanticNode<>& node : nodes) {
+        const Eigen::Vector3d noise(normal(random), normal(random), normal(random));
+        *node.position += node.covariance.llt().matrixL() * noise;
+      }
+      return TopologyGraph<>(std::move(nodes));
+    };
+    Relocalizer<> relocalizer;
+    std::vector<Eigen::Isometry3d> cameras;
+    for (std::uint64_t id = 0; id < 6; ++id) {
+      cameras.push_back(random_camera(random));
+      relocalizer.map().add(KeyframeId{id}, measured_from(cameras.back()),
+                            standing_at(cameras.back()));
+    }
+    const Eigen::Isometry3d q = random_camera(random);
+    const Recognition found = relocalizer.localize(measured_from(q));
+    REQUIRE(found);
+    const auto& report = *std::find_if(
+        found.candidates.begin(), found.candidates.end(),
+        [&](const CandidateReport& candidate) { return candidate.id == found.accepted->id; });
+    if (!report.place_pose) continue;
+    ++tightened;
+    const Eigen::Isometry3d truth = cameras[value(report.id)].inverse() * q;
+    const auto error = [&](const Eigen::Isometry3d& T) {
+      return (T.translation() - truth.translation()).norm();
+    };
+    CHECK(found.accepted->pose->T_candidate_query.isApprox(report.place_pose->T_target_source));
+    CHECK(found.accepted->pose->covariance.trace() < report.pose->covariance.trace());
+    alone += error(report.pose->T_candidate_query);
+    by_place += error(found.accepted->pose->T_candidate_query);
+  }
+  CHECK(tightened >= 30);
+  CHECK(by_place < 0.9 * alone);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <topobag/bag/place_contents.hpp>
+#include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/types/ids.hpp>
@@ -29,6 +30,7 @@ struct CandidateReport {
   std::vector<RelativePose> other_poses;    ///< the other distinct ones, best first
   ClassCounts matched;                      ///< matched objects by class (the query's)
   std::optional<double> place_support;      ///< of the pose by all objects of the place around it
+  std::optional<RefinedPose> place_pose;    ///< over those, when no fewer agree than in the candidate
   std::optional<RivalPlace> rival;          ///< that keeps the pose from being believed
   std::size_t places = 0;                   ///< of the map that can hold what was matched
   double threshold = 0.0;                   ///< the score that was asked for, among these
@@ -52,7 +54,7 @@ struct CandidateReport {
 
 /// The answer to "have I been here, and where exactly?", with the reasons.
 struct Recognition {
-  std::optional<CandidateReport> accepted;  ///< at most one
+  std::optional<CandidateReport> accepted;  ///< at most one; its pose is the `place_pose`, if any
   std::vector<CandidateReport> candidates;  ///< all that were tried: those whose place was asked,
                                             ///< then the others, each best score first
   bool usable = false;                      ///< the query graph has three nodes with a position

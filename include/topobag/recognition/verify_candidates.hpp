@@ -168,6 +168,10 @@ Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query
       report.verdict = Verdict::outdone;
     } else {
       recognition.accepted = report;
+      if (report.place_pose) {
+        recognition.accepted->pose->T_candidate_query = report.place_pose->T_target_source;
+        recognition.accepted->pose->covariance = report.place_pose->covariance;
+      }
     }
   }
   return recognition;

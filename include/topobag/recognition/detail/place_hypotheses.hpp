@@ -111,7 +111,11 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
     const double least = hypothesis.support - options.place.max_contradiction;
     const double place_support = pose ? std::max(least, pose->support()) : least;
     hypothesis.support = 0.5 * (hypothesis.support + place_support);
-    if (hypothesis.pose == &*report.pose) report.place_support = place_support;
+    if (hypothesis.pose != &*report.pose) continue;
+    report.place_support = place_support;
+    if (pose && pose->inliers.size() >= report.pose->inliers.size()) {
+      report.place_pose = RefinedPose{pose->T_candidate_query, pose->covariance};
+    }
   }
   for (std::size_t i = 0; i < judged; ++i) {
     const PlaceHypothesis& hypothesis = hypotheses[i];
