@@ -102,6 +102,7 @@
 #include <topobag/sensing/disparity_depth.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>
 #include <topobag/sensing/image_view.hpp>
+#include <topobag/sensing/lift_clusters.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 #include <topobag/sensing/node_noise.hpp>
 #include <topobag/sensing/non_maximum_suppression.hpp>
