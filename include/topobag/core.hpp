@@ -109,6 +109,7 @@
 #include <topobag/sensing/pinhole_camera.hpp>
 #include <topobag/sensing/range_detections.hpp>
 #include <topobag/sensing/same_object.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/sensing/sparse_depth.hpp>
 #include <topobag/similarity/affinity_cosine.hpp>
 #include <topobag/similarity/class_histogram.hpp>
