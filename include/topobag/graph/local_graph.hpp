@@ -155,13 +155,13 @@ class LocalGraph {
     tracks_.forget_before(oldest);
   }
 
-  /// The nodes with a position; one whose covariance is not modelled gets the default noise.
-  static std::vector<Node> placed(const TopologyGraph<Scalar>& graph) {
+  /// The nodes with a position; one whose covariance is not modelled gets the options' noise.
+  std::vector<Node> placed(const TopologyGraph<Scalar>& graph) const {
     std::vector<Node> kept;
     for (const Node& node : graph.nodes()) {
       if (!node.position) continue;
       kept.push_back(node);
-      kept.back().covariance = position_covariance(node).template cast<Scalar>();
+      kept.back().covariance = position_covariance(node, options_.noise).template cast<Scalar>();
     }
     return kept;
   }
