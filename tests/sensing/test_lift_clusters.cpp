@@ -49,7 +49,7 @@ TEST_CASE("clusters that are no node are counted by the reason", "[sensing]") {
   clusters[0].centroid.x() = std::nan("");
   clusters[1].confidence = 0.1;
   clusters[2] = cluster_of("person", {5.0, 0.0, 0.0});
-  clusters[3].centroid.x() = 60.0;
+  clusters[3].centroid.x() = 90.0;
   clusters.push_back(clusters[4]);
   const auto lifted = lift_clusters(clusters, T_graph_forward_left_up(), objects);
   CHECK(lifted.sources == std::vector<std::size_t>{4});

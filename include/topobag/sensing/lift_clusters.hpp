@@ -11,6 +11,7 @@
 
 #include <topobag/sensing/lift_detections.hpp>
 #include <topobag/sensing/same_object.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/dynamics.hpp>
 #include <topobag/types/ids.hpp>
@@ -34,7 +35,7 @@ struct ObjectCluster {
 struct ClusterOptions {
   DynamicsSet keep{Dynamics::low, Dynamics::medium};  ///< dynamic filter: levels that are kept
   double min_confidence = 0.3;                        ///< classifier's score
-  double max_range = 50.0;                            ///< m from the sensor
+  double max_range = SensorProfile::lidar().max_depth;  ///< m from the sensor
   SameObject duplicate{};       ///< of two nodes that are one object the surer one is kept
   double centroid_floor = 0.1;  ///< m; σ of a centroid whose covariance is not known, and
   double centroid_share = 0.1;  ///< this share of the extent more: another side shows other points
