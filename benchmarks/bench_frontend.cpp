@@ -20,7 +20,7 @@
 
 #include <topobag/adaptors/orb_slam.hpp>
 #include <topobag/error.hpp>
-#include <topobag/graph/keyframe_sighting.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 

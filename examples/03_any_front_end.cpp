@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include <topobag/graph/keyframe_sighting.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>
@@ -89,12 +89,12 @@ int main() {
     const DynamicFeatureMask mask(detections, catalog);
     for (double u = 20.0; u < 640.0; u += 40.0) masked += mask({u, 240.0}, depth({u, 240.0}));
 
-    // 3. The key frame's objects join those of the last seconds.
-    KeyframeSighting seen = sight_keyframe(stamp, detections, camera, catalog);
+    // 3. The key frame's objects join those of the last seconds; how far it sees comes along.
+    const KeyframeSighting seen = sight_keyframe(stamp, detections, depth, camera, catalog);
     const Eigen::Isometry3d T_previous_current = T_world_previous
                                                      ? T_world_previous->inverse() * T_world_camera
                                                      : Eigen::Isometry3d::Identity();
-    window.add(stamp, seen.nodes, T_previous_current, seen.view);
+    window.add(seen, T_previous_current);
     T_world_previous = T_world_camera;
 
     // 4. Has it been here? The answer carries the relative pose.

@@ -87,9 +87,12 @@ int main() {
     std::uint64_t epoch, id;
     double stamp, x;
   };
-  TopologyThread<Job> thread([&](const Job& job) {
-    database.observe(job.epoch, job.id, sight_keyframe(job.stamp, detect(job.x), camera, catalog));
-  });
+  TopologyThread<Job> thread(
+      [&](const Job& job) {
+        database.observe(job.epoch, job.id,
+                         sight_keyframe(job.stamp, detect(job.x), camera, catalog));
+      },
+      {}, [&](const Job& job, const std::string&) { database.give_up(job.epoch, job.id); });
 
   // Tracking makes key frames and hands them over; loop closing asks, then adds.
   std::vector<std::unique_ptr<host::KeyFrame>> map;

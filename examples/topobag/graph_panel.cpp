@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "input_error.hpp"
 #include "report/html_text.hpp"
 
 namespace program {
@@ -30,6 +31,9 @@ GraphPanel::GraphPanel(const topobag::TopologyGraph<>& graph)
       image_(Eigen::Vector2d(-0.5, -0.5),
              Eigen::Vector2d(camera_.width - 0.5, camera_.height - 0.5)),
       extent_(image_) {
+  if (camera_.width == 0) {
+    throw InputError("--clusters", "there is no image to draw in: leave --svg and --report out");
+  }
   // Objects that a moving camera has left behind lie outside the image; far ones are not drawn.
   const Eigen::Vector2d beyond = 0.4 * image_.sizes();
   const Box drawn(image_.min() - beyond, image_.max() + beyond);

@@ -8,10 +8,13 @@
 #include <utility>
 
 #include <topobag/edges/delaunay_edges2.hpp>
-#include <topobag/graph/keyframe_sighting.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
+#include <topobag/edges/knn_edges.hpp>
 #include <topobag/graph/local_graph.hpp>
+#include <topobag/sensing/lift_clusters.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 
+#include "cluster_table.hpp"
 #include "frame_poses.hpp"
 #include "input_error.hpp"
 #include "progress.hpp"
@@ -52,6 +55,42 @@ topobag::LiftOptions lifting_of(const KeyframeOptions& options) {
   return lifting;
 }
 
+/// What a frame of the table shows.
+topobag::KeyframeSighting sighting_of(const FrameRow& frame, const KeyframeOptions& options) {
+  topobag::KeyframeSighting seen;
+  if (options.clusters) {
+    topobag::ClusterOptions lifting;
+    lifting.min_confidence = options.min_confidence;
+    lifting.keep = options.keep;
+    seen.stamp = frame.timestamp;
+    seen.nodes = topobag::lift_clusters(frame.clusters, topobag::T_graph_forward_left_up(),
+                                        options.classes.catalog, lifting)
+                     .nodes;
+  } else {
+    topobag::SightingOptions sighting;
+    sighting.lifting = lifting_of(options);
+    sighting.max_detections = std::numeric_limits<std::size_t>::max();  // all that the table holds
+    seen = topobag::sight_keyframe(frame.timestamp, frame.detections, options.camera,
+                                   options.classes.catalog, sighting);
+    const topobag::PinholeCamera<>& camera = options.camera;
+    if (frame.depth && camera.width > 0) {
+      seen.view.depth.emplace(*frame.depth, camera.width, camera.height);
+    }
+  }
+  seen.gravity = frame.gravity;
+  return seen;
+}
+
+/// A graph of one frame alone.
+topobag::TopologyGraph<> single_graph(topobag::KeyframeSighting seen, bool clusters) {
+  if (clusters) {
+    return topobag::make_topology_graph(std::move(seen.nodes), topobag::KnnEdges{},
+                                        {std::move(seen.view)}, seen.gravity);
+  }
+  return topobag::make_topology_graph(std::move(seen.nodes), topobag::DelaunayEdges2<>{},
+                                      {std::move(seen.view)}, seen.gravity);
+}
+
 /// Throws where a box's centre lies outside the camera's image: both are not of one camera.
 void require_in_image(const std::string& set, const NodeTable& table,
                       const topobag::PinholeCamera<>& camera) {
@@ -80,6 +119,12 @@ void require_usable(const std::string& set, const NodeTable& table,
                   [](const Keyframe& keyframe) { return keyframe.graph.is_matchable(); })) {
     return;
   }
+  if (options.clusters) {
+    throw InputError(set_name(set) + ".clusters.csv",
+                     "none of the " + std::to_string(keyframes.size()) +
+                         " key frames has three clusters that stand still, in range and above "
+                         "--min-confidence");
+  }
   topobag::DroppedDetections dropped;
   std::size_t detections = 0;
   for (const FrameRow& frame : table.frames) {
@@ -101,9 +146,6 @@ void require_usable(const std::string& set, const NodeTable& table,
 }  // namespace
 
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options) {
-  topobag::SightingOptions sighting;
-  sighting.lifting = lifting_of(options);
-  sighting.max_detections = std::numeric_limits<std::size_t>::max();  // all that the table holds
   topobag::LocalGraphOptions fusing;
   fusing.window = options.window;
   topobag::LocalGraph<> local(fusing);
@@ -113,17 +155,13 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
   const auto selected = at_interval(table.frames, options.interval);
   Progress progress(selected.size(), "key frames made");
   for (const FrameRow* frame : selected) {
-    topobag::KeyframeSighting seen = topobag::sight_keyframe(
-        frame->timestamp, frame->detections, options.camera, options.classes.catalog, sighting);
+    topobag::KeyframeSighting seen = sighting_of(*frame, options);
     Keyframe keyframe{frame->idx, frame->timestamp, frame->T_world_camera, {}, {}};
     if (options.window > 0.0) {
-      local.add(seen.stamp, seen.nodes, relative_pose(previous ? *previous : *frame, *frame),
-                std::move(seen.view), frame->gravity);
+      local.add(seen, relative_pose(previous ? *previous : *frame, *frame));
       keyframe.graph = local.graph();
     } else {
-      keyframe.graph =
-          topobag::make_topology_graph(std::move(seen.nodes), topobag::DelaunayEdges2<>{},
-                                       {std::move(seen.view)}, frame->gravity);
+      keyframe.graph = single_graph(std::move(seen), options.clusters);
     }
     keyframes.push_back(std::move(keyframe));
     previous = frame;
@@ -133,9 +171,20 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
 }
 
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options) {
-  NodeTable table = read_node_table(set, options.classes.catalog);
+  NodeTable table = options.clusters ? read_cluster_table(set, options.classes.catalog)
+                                     : read_node_table(set, options.classes.catalog);
   if (!options.trajectory.empty()) take_poses(options.trajectory, table.frames);
-  require_in_image(set, table, options.camera);
+  if (options.clusters) {
+    const TableStress& stress = options.stress;
+    if (stress.depth_noise > 0.0 || stress.drop > 0.0 || stress.flip > 0.0) {
+      throw InputError("--clusters", "--depth-noise, --drop and --flip are for boxes; leave them out");
+    }
+    for (FrameRow& frame : table.frames) {  // the poses are the sensor's
+      if (auto& T = frame.T_world_camera) T = *T * topobag::T_graph_forward_left_up().inverse();
+    }
+  } else {
+    require_in_image(set, table, options.camera);
+  }
   apply(options.stress, table);
   apply(options.gravity, Draws{options.stress.seed, options.stress.stream, 1}, table);
   std::vector<Keyframe> keyframes;

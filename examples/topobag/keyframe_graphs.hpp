@@ -28,14 +28,15 @@ struct KeyframeOptions {
   TableStress stress{};                                  ///< done to the table by `read_keyframes`
   TableGravity gravity{};    ///< which way is down, told to the table by `read_keyframes`
   std::string trajectory{};  ///< file of the frames' poses, instead of the table's; empty = none
+  bool clusters = false;     ///< the table is one of clusters, and there is no camera
   bool matchable = true;     ///< `read_keyframes` wants a graph that can be matched
   ObjectClasses classes{};   ///< of the table's objects
 };
 
 /// The key frames of a table: for k = 0, 1, … the first frame at or after t0 + k · interval, each
 /// at most once. A window fuses the key frames in [t − window, t] by their relative poses; without
-/// one, a graph has the paper's edges, Delaunay in the image plane. What frames say of gravity
-/// comes along. Throws topobag::InvalidValue when a window lacks a pose.
+/// one, a graph has the paper's edges, Delaunay in the image plane, or k nearest for clusters. What
+/// frames say of gravity and of how far they see comes along. Throws topobag::InvalidValue when a window lacks a pose.
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options);
 
 /// Reads the table, gives it its poses, puts it under stress, tells it which way is down, and makes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node_table.hpp"
 
+#include <algorithm>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -11,38 +12,13 @@
 #include "appearance_columns.hpp"
 #include "csv_pose.hpp"
 #include "csv_reader.hpp"
+#include "depth_column.hpp"
 
 namespace program {
 namespace {
 
 std::string frames_file(const std::string& set) { return set_name(set) + ".frames.csv"; }
 std::string nodes_file(const std::string& set) { return set_name(set) + ".nodes.csv"; }
-
-std::vector<FrameRow> read_frames(const std::string& path) {
-  CsvReader csv(path);
-  const std::size_t idx = csv.column("idx");
-  const std::size_t frame = csv.column("frame");
-  const std::size_t timestamp = csv.column("timestamp");
-  const CsvPose pose(csv);
-  std::vector<FrameRow> frames;
-  std::set<std::int64_t> known;
-  while (csv.next()) {
-    FrameRow row;
-    row.idx = csv.integer(idx);
-    if (!known.insert(row.idx).second) {
-      throw csv.error("idx " + std::to_string(row.idx) + " is there twice");
-    }
-    row.name = csv.text(frame);
-    row.timestamp = csv.seconds(timestamp);
-    if (!frames.empty() && row.timestamp < frames.back().timestamp) {
-      throw csv.error("the timestamp is before that of the row above; sort the frames by time");
-    }
-    row.T_world_camera = pose.read();
-    frames.push_back(std::move(row));
-  }
-  if (frames.empty()) throw InputError(path, "the table holds no frame");
-  return frames;
-}
 
 /// Reads the rows of the detections one by one.
 class DetectionRows {
@@ -163,8 +139,37 @@ std::string set_name(const std::string& path) {
   return path;
 }
 
+std::vector<FrameRow> read_frames(const std::string& set) {
+  const std::string path = frames_file(set);
+  CsvReader csv(path);
+  const std::size_t idx = csv.column("idx");
+  const std::size_t frame = csv.column("frame");
+  const std::size_t timestamp = csv.column("timestamp");
+  const std::optional<std::size_t> depth = csv.find_column("depth");
+  const CsvPose pose(csv);
+  std::vector<FrameRow> frames;
+  std::set<std::int64_t> known;
+  while (csv.next()) {
+    FrameRow row;
+    row.idx = csv.integer(idx);
+    if (!known.insert(row.idx).second) {
+      throw csv.error("idx " + std::to_string(row.idx) + " is there twice");
+    }
+    row.name = csv.text(frame);
+    row.timestamp = csv.seconds(timestamp);
+    if (!frames.empty() && row.timestamp < frames.back().timestamp) {
+      throw csv.error("the timestamp is before that of the row above; sort the frames by time");
+    }
+    row.T_world_camera = pose.read();
+    row.depth = read_depth(csv, depth);
+    frames.push_back(std::move(row));
+  }
+  if (frames.empty()) throw InputError(path, "the table holds no frame");
+  return frames;
+}
+
 NodeTable read_node_table(const std::string& set, const topobag::ClassCatalog& catalog) {
-  NodeTable table{read_frames(frames_file(set))};
+  NodeTable table{read_frames(set)};
   read_detections(nodes_file(set), catalog, table);
   return table;
 }
@@ -173,7 +178,9 @@ void write_node_table(const std::string& set, const NodeTable& table,
                       const topobag::ClassCatalog& catalog) {
   std::ostringstream frames;
   std::ostringstream nodes;
-  frames << std::fixed << "idx,frame,timestamp,tx,ty,tz,qx,qy,qz,qw\n";
+  const bool depth = std::any_of(table.frames.begin(), table.frames.end(),
+                                 [](const FrameRow& frame) { return frame.depth.has_value(); });
+  frames << std::fixed << "idx,frame,timestamp,tx,ty,tz,qx,qy,qz,qw" << (depth ? ",depth\n" : "\n");
   nodes << std::fixed << "idx,class_id,class,conf,u,v,w,h,z";
   const std::size_t length = descriptor_length(table);
   AppearanceColumns::write_header(nodes, length);
@@ -186,6 +193,7 @@ void write_node_table(const std::string& set, const NodeTable& table,
     frames << frame.idx << ',' << frame.name << ',' << std::setprecision(6) << frame.timestamp
            << std::setprecision(5);
     write_pose(frames, frame.T_world_camera);
+    if (depth) frames << ',' << (frame.depth ? depth_text(*frame.depth) : "");
     frames << '\n';
     for (const topobag::RangedDetection& detection : frame.detections) {
       const Eigen::Vector2d center = detection.box.center();

@@ -9,6 +9,8 @@
 #include <Eigen/Geometry>
 
 #include <topobag/graph/gravity.hpp>
+#include <topobag/sensing/depth_grid.hpp>
+#include <topobag/sensing/lift_clusters.hpp>
 #include <topobag/types/class_catalog.hpp>
 #include <topobag/types/ranged_detection.hpp>
 
@@ -21,13 +23,16 @@ struct FrameRow {
   double timestamp = 0.0;                           ///< s
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< true pose, m; absent when not known
   std::vector<topobag::RangedDetection> detections;
+  std::vector<topobag::ObjectCluster> clusters{};  ///< instead of detections; x forward, z up
+  std::optional<topobag::DepthGrid::Levels> depth{};  ///< how far the camera sees
   std::optional<topobag::Gravity<>> gravity;  ///< in its camera's frame; the files do not hold it
 };
 
 /// The frames of one sequence, in the order of time.
 ///
 /// A table named SET is two files. `SET.frames.csv` has columns idx, frame, timestamp and
-/// optionally the pose tx ty tz qx qy qz qw (camera to world; empty where unknown);
+/// optionally the pose tx ty tz qx qy qz qw (camera to world; empty where unknown) and `depth` (see
+/// `read_depth`);
 /// `SET.nodes.csv` has idx (of the frame), class, conf, u, v (box centre, px), w, h (box size, px),
 /// z (m, 0 = unknown) and optionally class_id, which may also stand for class, and what the object
 /// looks like (see `AppearanceColumns`). Further columns are ignored.
@@ -35,6 +40,9 @@ struct NodeTable {
   std::vector<FrameRow> frames;
   std::string appearance{};  ///< name of the method that described the objects; empty = none did
 };
+
+/// Reads `set`.frames.csv. Throws topobag::Error with the file and the line.
+std::vector<FrameRow> read_frames(const std::string& set);
 
 /// The name of a table; either of its two files stands for it.
 std::string set_name(const std::string& path);

@@ -50,6 +50,7 @@ DetectedNodes NodesCheckpoint::earlier(const std::vector<RgbdFrame>& frames) con
       FrameRow row = row_of(frames[i], i);  // its numbers are not rounded
       if (row.name != rows[i].name) return {};
       row.detections = std::move(rows[i].detections);
+      row.depth = rows[i].depth;
       rows[i] = std::move(row);
     }
     return kept;

@@ -43,6 +43,7 @@
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/graph/local_graph_options.hpp>
 #include <topobag/graph/object_track.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/graph/topology_weight.hpp>
 #include <topobag/graph/vertex_matrix.hpp>
@@ -72,6 +73,7 @@
 #include <topobag/matching/size_prior.hpp>
 #include <topobag/matching/usual_size_spreads.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
+#include <topobag/platform.hpp>
 #include <topobag/recognition/align_maps.hpp>
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/calibration.hpp>
@@ -103,6 +105,7 @@
 #include <topobag/sensing/disparity_depth.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>
 #include <topobag/sensing/image_view.hpp>
+#include <topobag/sensing/lift_clusters.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 #include <topobag/sensing/node_noise.hpp>
 #include <topobag/sensing/non_maximum_suppression.hpp>

@@ -24,6 +24,7 @@ template <typename Scalar>
 struct Gravity;
 template <typename Scalar>
 class TopologyGraph;
+struct KeyframeSighting;
 template <typename Scalar>
 class LocalGraph;
 class ClassConfusion;

@@ -290,3 +290,65 @@ TEST_CASE("descriptors of another kind are refused before the file holds them",
   }
   CHECK(ask(path, "SELECT count(*) FROM keyframe") == "2");
 }
+
+namespace {
+
+/// A similarity of the user's that cannot describe graphs of five nodes.
+struct FussySimilarity {
+  double descriptor(const TopologyGraph<>& graph) const {
+    if (graph.size() == 5) throw InvalidValue("five nodes are too many");
+    return static_cast<double>(graph.size());
+  }
+  double similarity(double a, double b) const { return a == b ? 1.0 : 0.0; }
+  double operator()(const TopologyGraph<>& a, const TopologyGraph<>& b) const {
+    return similarity(descriptor(a), descriptor(b));
+  }
+};
+
+TopologyGraph<> graph_of_nodes(std::size_t count) {
+  return TopologyGraph<>(std::vector<SemanticNode<>>(count));
+}
+
+}  // namespace
+
+TEST_CASE("what a similarity cannot describe is not in the file either", "[sqlite][regression]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db");
+  using Bag = BagOfTopologyGraphs<TopologyGraph<>, FussySimilarity>;
+  {
+    SqliteBag<Bag> map(path);
+    map.add(KeyframeId{1}, graph_of_nodes(4));
+    CHECK_THROWS_AS(map.add(KeyframeId{2}, graph_of_nodes(5)), InvalidValue);
+    CHECK_THROWS_AS(map.update(KeyframeId{1}, graph_of_nodes(5)), InvalidValue);
+    BagOfTopologyGraphs<> run;
+    run.add(KeyframeId{3}, graph_of_nodes(3));
+    run.add(KeyframeId{4}, graph_of_nodes(5));
+    CHECK_THROWS_AS(map.add_session("Monday", run), InvalidValue);
+    CHECK(map.bag().size() == 1);
+    CHECK(map.bag().find(KeyframeId{1})->size() == 4);
+    CHECK(map.bag().query(graph_of_nodes(4)).size() == 1);
+    CHECK(map.sessions().empty());
+    map.add(KeyframeId{2}, graph_of_nodes(2));  // the map goes on
+  }
+  const SqliteBag<Bag> again(path);
+  CHECK(again.bag().size() == 2);
+  CHECK(again.bag().find(KeyframeId{1})->size() == 4);
+}
+
+TEST_CASE("a catalog says nothing of key frames that were written without one",
+          "[sqlite][regression]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db"), named = folder.path("named.db");
+  SqliteOptions coco;
+  coco.catalog = ClassCatalog::coco80();
+  SqliteBag<>(path).add(KeyframeId{1}, graph_of_nodes(4));
+  CHECK(error_text([&] { SqliteBag<> map(path, coco); }) ==
+        path +
+            ": it holds key frames of which it is not said what their class numbers mean; open it "
+            "without a catalog, or add them to a new map that has one");
+  CHECK(ask(path, "SELECT count(*) FROM meta WHERE key = 'catalog'") == "0");
+  const SqliteBag<> old(path);
+  SqliteBag<> map(named, coco);
+  map.add_session("old", old.bag());
+  CHECK(map.bag().size() == 1);
+}

@@ -108,3 +108,10 @@ TEST_CASE("boxes as shares of the input are refused", "[adaptors]") {
   const float weak[] = {0.5F, 0.4F, 0.2F, 0.1F, 0.05F, 0.01F};
   CHECK(decode_yolov8({weak, 6, 1}, classes, 0.1).empty());
 }
+
+TEST_CASE("a network without classes is refused, whatever its columns", "[adaptors][regression]") {
+  const std::vector<float> numbers(21 * 5, 0.5F);
+  CHECK_THROWS_AS(decode_yolox({numbers.data(), 21, 5}, {}, 32, 0.1), InvalidValue);
+  CHECK_THROWS_AS(decode_yolov5({numbers.data(), 21, 5}, {}, 0.1), InvalidValue);
+  CHECK_THROWS_AS(decode_yolov8({numbers.data(), 4, 21}, {}, 0.1), InvalidValue);
+}

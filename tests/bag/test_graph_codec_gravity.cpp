@@ -65,15 +65,15 @@ TEST_CASE("a graph is written in the least version that holds it", "[bag][codec]
 TEST_CASE("the bytes of version 1 and of version 2", "[bag][codec][gravity]") {
   CHECK(encode(TopologyGraph<>{}) == Bytes{0x01, 0x04});
   const TopologyGraph<> down({}, {}, {}, Gravity<>{});
-  // fixed(4) 2, fixed(1) 0 1 0; 0 nodes; edges as bits; 8191 + 0; 8191 + 8191; 96 - 47.
-  CHECK(encode(down) == Bytes{0x22, 0xF0, 0xFF, 0xF3, 0xFF, 0x63});
+  // fixed(4) 2, fixed(1) 0 1 0 0; 0 nodes; edges as bits; 8191 + 0; 8191 + 8191; 96 - 47.
+  CHECK(encode(down) == Bytes{0x22, 0xE0, 0xFF, 0xE7, 0xFF, 0xC7, 0x00});
   CHECK(decode(encode(down)).gravity()->down == Eigen::Vector3d::UnitY());
 }
 
 TEST_CASE("version 2 without a section of its own is a graph of version 1",
           "[bag][codec][gravity]") {
   detail::BitWriter writer;
-  detail::put_header(writer, {2, false, false, false});
+  detail::put_header(writer, {2, false, false, false, false});
   writer.put_number(0);
   writer.put(1, 1);
   const TopologyGraph<> graph = decode(writer.take());

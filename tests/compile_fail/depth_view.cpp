@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// MISFIT 1: topobag: DepthView reads 16-bit unsigned or floating-point depth images.
+// MISFIT 1: topobag: DepthView reads 16-bit or floating-point depth images.
 // MISFIT 2: topobag: a depth image must be stored row by row (Eigen::RowMajor).
 // MISFIT 3: topobag: a depth image must be stored row by row (Eigen::RowMajor).
+// MISFIT 4: deleted function
 #include <topobag/sensing/depth_view.hpp>
 
 #if MISFIT == 1
@@ -9,7 +10,7 @@ using Pixel = int;
 #else
 using Pixel = std::uint16_t;
 #endif
-#if MISFIT >= 2
+#if MISFIT == 2 || MISFIT == 3
 using Image = Eigen::Matrix<Pixel, Eigen::Dynamic, Eigen::Dynamic>;
 #else
 using Image = Eigen::Matrix<Pixel, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -22,5 +23,8 @@ int main() {
 #endif
 #if MISFIT != 2
   const auto mapped = topobag::depth_view(Eigen::Map<const Image>(image.data(), 480, 640), 5000.0);
+#endif
+#if MISFIT == 4
+  const auto dangling = topobag::depth_view(Image(image), 5000.0);
 #endif
 }

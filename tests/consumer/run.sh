@@ -17,6 +17,7 @@ install() {
   shift
   cmake -S . -B "$prefix-build" -DTOPOBAG_BUILD_TESTS=OFF -DTOPOBAG_BUILD_EXAMPLES=OFF \
     -DTOPOBAG_BUILD_BENCHMARKS=OFF "$@"
+  cmake --build "$prefix-build" --parallel "$(nproc)"
   cmake --install "$prefix-build" --prefix "$prefix" >/dev/null
 }
 
@@ -26,8 +27,8 @@ consume() {
   shift
   echo "== $project $*"
   cmake -S "$here/$project" -B "$build/$project" --no-warn-unused-cli -D topobag_sources="$PWD" "$@"
-  cmake --build "$build/$project"
-  for program in core delaunay slam slam_compiled; do
+  cmake --build "$build/$project" --parallel "$(nproc)"
+  for program in core delaunay {slam,lidar,similarity}{,_compiled}; do
     if [ -e "$build/$project/$program" ]; then "$build/$project/$program"; fi
   done
 }
@@ -49,7 +50,7 @@ refuse() {
   }
 }
 
-install "$build/whole"
+install "$build/whole" -D TOPOBAG_BUILD_COMPILED=ON
 consume find_package -D CMAKE_PREFIX_PATH="$build/whole" -D wanted_version="$version"
 consume add_subdirectory
 consume fetch_content

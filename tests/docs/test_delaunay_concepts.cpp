@@ -64,6 +64,10 @@ TEST_CASE("concepts: a plane, a vertex and a hint", "[docs][delaunay]") {
   std::mt19937 random(1);
   const auto nodes = random_nodes(random, 10);
   CHECK(make_topology_graph(nodes, DelaunayEdges2{FrontPlane{}}).edges().size() >= 9);
+  // As choosing.md has them.
+  const Gravity<> gravity;
+  CHECK(make_topology_graph(nodes, DelaunayEdges2{GroundPlane(gravity.down)}).edges().size() >= 9);
+  CHECK(make_topology_graph(nodes, DelaunayEdges2{BestFitPlane{}}).edges().size() >= 9);
 
   DelaunayTriangulation<Landmark, NoHint> map;
   const NodeIndex tower = map.insert({0.0, 0.0, "tower"});

@@ -207,3 +207,68 @@ TEST_CASE("a node whose covariance is not modelled gets the default noise", "[gr
   CHECK(local.objects()[0].second.covariance.isApprox(
       NodeNoise{}.covariance(*node.position, node.size, false), 1e-9));
 }
+
+TEST_CASE("a sighting is added as its parts are", "[graph]") {
+  FlickeringScene scene(4);
+  LocalGraph<> by_parts, whole;
+  for (std::size_t frame = 0; frame < 10; ++frame) {
+    KeyframeSighting seen;
+    seen.stamp = 0.1 * static_cast<double>(frame);
+    seen.nodes = scene.nodes(frame);
+    seen.view = camera_view();
+    seen.gravity = Gravity<>{};
+    const Eigen::Isometry3d T_previous_current = FlickeringScene::T_previous_current(frame);
+    by_parts.add(seen.stamp, seen.nodes, T_previous_current, seen.view, seen.gravity);
+    whole.add(seen, T_previous_current);
+  }
+  const TopologyGraph<> a = by_parts.graph(), b = whole.graph();
+  REQUIRE(a.size() == b.size());
+  REQUIRE(!a.empty());
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK(*a.nodes()[i].position == *b.nodes()[i].position);
+  REQUIRE(b.gravity());
+  CHECK(a.gravity()->down == b.gravity()->down);
+  CHECK(a.views().size() == b.views().size());
+}
+
+TEST_CASE("the cameras of a rig make one graph of one stamp", "[graph]") {
+  // Two cameras side by side on a rig, 0.3 m apart, the right one turned outwards by 40°: each sees
+  // things that the other cannot, and one that both do.
+  Eigen::Isometry3d T_left_right(Eigen::AngleAxisd(40.0 * 3.14159265 / 180.0,
+                                                   Eigen::Vector3d::UnitY()));
+  T_left_right.translation() = Eigen::Vector3d(0.3, 0.0, 0.0);
+  const std::vector<Eigen::Vector3d> things{{-0.8, 0.1, 2.5}, {0.9, 0.0, 2.5}, {3.0, 0.2, 2.5}};
+  const auto seen_by = [&](const Eigen::Isometry3d& T_left_camera, double along, double stamp) {
+    KeyframeSighting seen;
+    seen.stamp = stamp;
+    seen.view = camera_view();
+    for (std::size_t i = 0; i < things.size(); ++i) {
+      SemanticNode<> node;
+      node.label = ClassId{static_cast<std::int32_t>(i)};
+      node.position =
+          T_left_camera.inverse() * Eigen::Vector3d(things[i] - along * Eigen::Vector3d::UnitX());
+      node.size = {0.3, 0.3};
+      if (seen.view.in_field(*node.position, 0.0, 5.0)) seen.nodes.push_back(node);
+    }
+    return seen;
+  };
+  const Eigen::Isometry3d T_left_left = Eigen::Isometry3d::Identity();
+  LocalGraphOptions options;
+  options.window = GENERATE(0.0, 3.0);
+  LocalGraph<> local(options);
+  for (int i = 0; i < 4; ++i) {
+    const double along = 0.1 * i, stamp = 0.5 * i;
+    // From the left camera of this stamp to the right one of the stamp before.
+    const Eigen::Isometry3d motion(Eigen::Translation3d(i == 0 ? 0.0 : 0.1, 0.0, 0.0));
+    local.add(seen_by(T_left_left, along, stamp), T_left_right.inverse() * motion);
+    local.add(seen_by(T_left_right, along, stamp), T_left_right);
+  }
+  const TopologyGraph<> graph = local.graph();
+  CHECK(graph.views().size() == (options.window > 0.0 ? 8U : 2U));
+  REQUIRE(graph.size() == things.size());  // what both see is one object
+  for (const auto& node : graph.nodes()) {
+    const Eigen::Vector3d there = things[static_cast<std::size_t>(value(node.label))] -
+                                  0.3 * Eigen::Vector3d::UnitX();
+    CHECK((T_left_right * *node.position - there).norm() < 1e-9);  // in the right camera's frame
+    CHECK(node.existence == 1.0);  // who cannot see it need not have
+  }
+}

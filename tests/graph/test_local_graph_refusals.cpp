@@ -110,3 +110,13 @@ TEST_CASE("key frames that describe objects by another method are refused", "[gr
   REQUIRE(local.graph().size() == 1);
   CHECK(local.graph().appearance_kind() == cup.appearance.kind());
 }
+
+TEST_CASE("a view that no graph takes is refused before it is in the window",
+          "[graph][regression]") {
+  LocalGraph<> local;
+  View<> view;
+  view.occluders.push_back({{0.0, 0.0, 10.0, 10.0}, std::nan("")});
+  CHECK_THROWS_AS(local.add(0.0, {}, Eigen::Isometry3d::Identity(), view), InvalidValue);
+  CHECK(local.view_count() == 0);
+  CHECK_NOTHROW(local.graph());
+}

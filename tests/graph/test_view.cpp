@@ -62,15 +62,32 @@ TEST_CASE("a camera looks through what lies before the depth it measured", "[gra
   View<> view = plain_view();
   CHECK_FALSE(view.sees_through({0, 0, 2}, 10.0, 5.0, 0.2));  // without depth
   const auto wall = [](const Eigen::Vector2d& pixel) {
-    return pixel.x() < 60.0 ? std::make_optional(3.0) : std::nullopt;
+    return pixel.x() < 60.0 ? std::make_optional(4.0) : std::nullopt;
   };
   view.depth.emplace(wall, 101, 101);
   view.occluders.push_back({{40, 40, 60, 60}, 0.0});  // a box does not undo a measurement
   CHECK(view.sees_through({0, 0, 2}, 10.0, 5.0, 0.2));
-  CHECK(view.sees_through({0, 0, 2.79}, 10.0, 5.0, 0.2));
-  CHECK_FALSE(view.sees_through({0, 0, 2.81}, 10.0, 5.0, 0.2));
-  CHECK_FALSE(view.sees_through({0, 0, 4}, 10.0, 5.0, 0.2));     // behind the wall
+  CHECK(view.sees_through({0, 0, 3.79}, 10.0, 5.0, 0.2));
+  CHECK_FALSE(view.sees_through({0, 0, 3.81}, 10.0, 5.0, 0.2));
+  CHECK_FALSE(view.sees_through({0, 0, 4.5}, 10.0, 5.0, 0.2));   // behind the wall
   CHECK_FALSE(view.sees_through({0.4, 0, 2}, 10.0, 5.0, 0.2));   // nothing measured at 70 px
   CHECK_FALSE(view.sees_through({-0.9, 0, 2}, 10.0, 5.0, 0.2));  // too near the border
   CHECK_FALSE(view.sees_through({0, 0, 2}, 10.0, 1.9, 0.2));     // too far away
+}
+
+TEST_CASE("a view that no map could keep is none", "[graph][regression]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  View<> view = plain_view();
+  CHECK_NOTHROW(view.validate());
+  view.occluders.push_back({{40, 40, 60, 60}, nan});
+  CHECK_THROWS_AS(view.validate(), InvalidValue);
+  view = plain_view();
+  view.camera.cx = nan;
+  CHECK_THROWS_AS(view.validate(), InvalidValue);
+  view = plain_view();
+  view.T_graph_camera.linear() *= 2.0;
+  CHECK_THROWS_AS(view.validate(), InvalidValue);
+  view = plain_view();
+  view.depth.emplace(DepthGrid::Levels{}, 640, 480);
+  CHECK_THROWS_AS(view.validate(), InvalidValue);
 }

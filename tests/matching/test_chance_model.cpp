@@ -183,3 +183,15 @@ TEST_CASE("a pose without a proper covariance is no match, and its score a numbe
   CHECK(std::isfinite(significance));
   CHECK(significance < -1e6);
 }
+
+TEST_CASE("pairs that nobody can choose have no significance", "[matching][regression]") {
+  const TopologyGraph<> cups = with_classes({1, 1, 1, 1}), books = with_classes({2, 2, 2, 2});
+  CHECK_THROWS_AS(significance(cups, books, 3), InvalidValue);  // of no common group
+  auto twice = first_pairs(4);
+  for (Correspondence& pair : twice) pair.query = node_index(0);
+  twice.push_back(twice.back());
+  CHECK_THROWS_AS(ChanceModel::log10_ways(cups, cups, twice, ClassGroups{}), InvalidValue);
+  ClassGroups alike;
+  alike.join(ClassId{1}, ClassId{2});
+  CHECK(std::isfinite(significance(cups, books, 3, 0.0, alike)));
+}

@@ -137,7 +137,7 @@ TEST_CASE("with depth an object is missing where the camera looked through its p
   };
   // Clearance: 0.15 m and half the object's diagonal.
   const double beyond = 3.0 + 0.15 + 0.5 * std::sqrt(0.08);
-  const auto missing = with_depth(beyond + 0.01);
+  const auto missing = with_depth(beyond * std::exp2(1.0 / DepthGrid::levels_per_octave));
   REQUIRE(missing.size() == 1);
   CHECK(missing[0].views == 1);
   CHECK(missing[0].measured_views == 1);

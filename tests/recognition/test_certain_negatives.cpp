@@ -195,3 +195,13 @@ TEST_CASE("a loop detector learns while it maps, and decides by what it learnt",
   CHECK(calibration.carries_over());
   CHECK(accepted > 20);
 }
+
+TEST_CASE("nothing is learnt by a pose that is none", "[recognition][regression]") {
+  const Relocalizer<> relocalizer = map_of_room(false);
+  Eigen::Isometry3d mirrored = Eigen::Isometry3d::Identity();
+  mirrored.linear().diagonal().x() = -1.0;
+  Calibration calibration;
+  CHECK_THROWS_AS(false_score_by_pose(Recognition{}, relocalizer.map(), mirrored), InvalidValue);
+  CHECK_THROWS_AS(add_negative_by_pose(calibration, Recognition{}, relocalizer.map(), mirrored),
+                  InvalidValue);
+}

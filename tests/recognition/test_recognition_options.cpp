@@ -104,3 +104,29 @@ TEST_CASE("a yard 80 m wide is recognised with a LiDAR's options", "[recognition
   CHECK(found >= 27);
   CHECK(found_as_hand_held < found);
 }
+
+TEST_CASE("nodes without a covariance have the noise of the sensor, wherever they are asked for it",
+          "[recognition]") {
+  SensorProfile sensor = SensorProfile::lidar();
+  sensor.noise.depth_floor = 0.3;
+  const RecognitionOptions options = recognition_options(sensor);
+  CHECK(options.matching.consistency.noise.depth_floor == 0.3);
+  CHECK(options.place.fusing.noise.depth_floor == 0.3);
+  CHECK(RecognitionOptions{}.matching.consistency.noise.depth_floor == NodeNoise{}.depth_floor);
+
+  // A match of nodes whose noise is not modelled is that of nodes that have it.
+  Yard yard(4);
+  const TopologyGraph<> seen = yard.seen_from(Eigen::Isometry3d::Identity(), sensor.noise);
+  std::vector<SemanticNode<>> plain = seen.nodes(), modelled = seen.nodes();
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    plain[i].covariance.setZero();
+    modelled[i].covariance = sensor.noise.covariance(*plain[i].position, plain[i].size, false);
+  }
+  const TopologyGraph<> bare(plain), told(modelled);
+  const GraphMatch a = match_graphs(bare, bare, options.matching);
+  const GraphMatch b = match_graphs(told, told, options.matching);
+  REQUIRE(!a.poses.empty());
+  REQUIRE(!b.poses.empty());
+  CHECK(a.poses[0].significance == b.poses[0].significance);
+  CHECK(match_graphs(bare, bare).poses.at(0).significance != a.poses[0].significance);
+}

@@ -136,3 +136,13 @@ TEST_CASE("the policy's numbers are options, and it forgets when told", "[recogn
   policy.reset();
   CHECK(policy.matches() == 0);
 }
+
+TEST_CASE("a pose that is none is refused and changes nothing", "[recognition][regression]") {
+  TemporalConsistency policy;
+  policy.add(match(1));
+  Pose scaled = Pose::Identity();
+  scaled.linear() *= 2.0;
+  CHECK_THROWS_AS(policy.add(match(1), scaled), InvalidValue);
+  CHECK_THROWS_AS(policy.add(match(1), Pose::Identity(), scaled), InvalidValue);
+  CHECK(policy.matches() == 1);
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <random>
@@ -32,35 +32,60 @@ TEST_CASE("a depth grid is a depth source over the whole image and nothing more"
   }
 }
 
-TEST_CASE("with as many samples as pixels a cell holds their least depth", "[sensing]") {
+TEST_CASE("with as many samples as pixels a cell holds their least depth, rounded down",
+          "[sensing]") {
   std::mt19937 random(1);
-  std::uniform_real_distribution<float> metres(0.5F, 5.0F);
-  std::vector<float> image(16 * 12);
-  for (float& pixel : image) pixel = random() % 3 == 0 ? 0.0F : metres(random);
-  const DepthView<float> view(image.data(), 16, 12, 1.0);
-  const DepthGrid grid(view, 16, 12, 4, 3);  // cells of 4 × 4 pixels
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
+  std::uniform_real_distribution<float> metres(0.5F, 50.0F);
+  constexpr int side = 8, width = DepthGrid::columns * side, height = DepthGrid::rows * side;
+  std::vector<float> image(static_cast<std::size_t>(width * height));
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    image[i] = random() % (i % width < width / 2 ? 4U : 2U) == 0 ? 0.0F : metres(random);
+  }
+  const DepthGrid grid(DepthView<float>(image.data(), width, height, 1.0), width, height);
+  std::size_t holes = 0;
+  for (int row = 0; row < DepthGrid::rows; ++row) {
+    for (int column = 0; column < DepthGrid::columns; ++column) {
       float least = std::numeric_limits<float>::infinity();
       int measured = 0;
-      for (int v = 4 * row; v < 4 * row + 4; ++v) {
-        for (int u = 4 * column; u < 4 * column + 4; ++u) {
-          const float pixel = image[static_cast<std::size_t>(16 * v + u)];
+      for (int v = side * row; v < side * row + side; ++v) {
+        for (int u = side * column; u < side * column + side; ++u) {
+          const float pixel = image[static_cast<std::size_t>(width * v + u)];
           if (!(pixel > 0.0F)) continue;
           ++measured;
           least = std::min(least, pixel);
         }
       }
-      const auto found = grid({4.0 * column + 1.7, 4.0 * row + 2.2});
-      CHECK(found.has_value() == (measured >= 8));
-      if (found) CHECK(*found == static_cast<double>(least));
+      const auto found = grid({side * column + 3.7, side * row + 5.2});
+      CHECK(found.has_value() == (2 * measured >= side * side));
+      holes += found ? 0U : 1U;
+      if (!found) continue;
+      CHECK(*found <= static_cast<double>(least));
+      CHECK(*found * std::exp2(1.0 / DepthGrid::levels_per_octave) > static_cast<double>(least));
     }
+  }
+  CHECK(holes > 0);
+}
+
+TEST_CASE("what is too near is not measured, what is too far is as far as can be told",
+          "[sensing]") {
+  for (const auto& [metres, kept] : {std::pair{0.249, 0.0}, {0.25, 0.25}, {1e9, 53.8174}}) {
+    const auto wall = [metres = metres](const Eigen::Vector2d&) {
+      return std::optional<double>(metres);
+    };
+    CHECK(DepthGrid(wall, 640, 480)({320.0, 240.0}).value_or(0.0) == Approx(kept).epsilon(1e-5));
   }
 }
 
-TEST_CASE("a depth grid needs an image and a cell", "[sensing]") {
+TEST_CASE("a depth grid is its levels", "[sensing]") {
+  const DepthGrid grid(wall_at_two_metres, 640, 480);
+  const DepthGrid again(grid.levels(), grid.width(), grid.height());
+  CHECK(again({100.0, 100.0}) == 2.0);
+  CHECK(again.levels() == grid.levels());
+}
+
+TEST_CASE("a depth grid needs an image", "[sensing]") {
   CHECK_THROWS_AS(DepthGrid(wall_at_two_metres, 0, 480), InvalidValue);
-  CHECK_THROWS_AS(DepthGrid(wall_at_two_metres, 640, 480, 0, 3), InvalidValue);
+  CHECK_THROWS_AS(DepthGrid(DepthGrid::Levels{}, 640, 0), InvalidValue);
 }
 
 TEST_CASE("an infinite depth is a hole", "[sensing][regression]") {

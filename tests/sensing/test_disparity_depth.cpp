@@ -30,3 +30,12 @@ TEST_CASE("disparities and cameras that are none give no depth", "[sensing]") {
     CHECK_THROWS_AS(DisparityDepth(disparity, bad, 0.1), InvalidValue);
   }
 }
+
+TEST_CASE("disparities of OpenCV's matchers are read as they are, signed and in sixteenths",
+          "[sensing][regression]") {
+  const std::int16_t disparities[] = {160, -16, 320, 16};  // -1 px = no match
+  const DisparityDepth depth(DepthView<std::int16_t>(disparities, 2, 2, 16.0), 500.0, 0.1);
+  CHECK(*depth({0.0, 0.0}) == Approx(5.0));
+  CHECK_FALSE(depth({1.0, 0.0}));
+  CHECK(*depth({0.0, 1.0}) == Approx(2.5));
+}

@@ -86,3 +86,10 @@ TEST_CASE("a box whose depth is infinite is one of unknown depth", "[sensing][re
   endless.z = std::numeric_limits<double>::infinity();
   CHECK(DynamicFeatureMask({endless}, coco)({150.0, 200.0}, 9.0));
 }
+
+TEST_CASE("detections that know no depth mask whole boxes", "[sensing]") {
+  const std::vector<Detection> boxes{{walker.box, walker.label, 0.9}};
+  const DynamicFeatureMask mask(boxes, coco);
+  CHECK(mask(walker.box.center(), 99.0));
+  CHECK_FALSE(DynamicFeatureMask({walker}, coco)(walker.box.center(), 99.0));
+}

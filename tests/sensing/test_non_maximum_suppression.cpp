@@ -31,3 +31,32 @@ TEST_CASE("a score that is not a number suppresses nothing", "[sensing][regressi
   REQUIRE(kept.size() == 1);
   CHECK(kept[0].confidence == 0.9);
 }
+
+namespace {
+
+struct SomeonesBox {
+  float x, y, side;
+  int kind;
+  float probability;
+};
+
+}  // namespace
+
+template <>
+struct topobag::detection_traits<SomeonesBox> {
+  static BoundingBox box(const SomeonesBox& b) {
+    return box_around({static_cast<double>(b.x), static_cast<double>(b.y)},
+                      static_cast<double>(b.side), static_cast<double>(b.side));
+  }
+  static ClassId label(const SomeonesBox& b) { return ClassId{b.kind}; }
+  static double confidence(const SomeonesBox& b) { return static_cast<double>(b.probability); }
+};
+
+TEST_CASE("a detector's own boxes are suppressed as they are", "[sensing]") {
+  const std::vector<SomeonesBox> kept = suppress_non_maxima(
+      std::vector<SomeonesBox>{{11, 10, 10, 1, 0.5F}, {10, 10, 10, 1, 0.9F}, {11, 10, 10, 2, 0.4F}},
+      0.45);
+  REQUIRE(kept.size() == 2);
+  CHECK(kept[0].probability == 0.9F);
+  CHECK(kept[1].kind == 2);
+}

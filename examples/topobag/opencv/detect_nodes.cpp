@@ -11,6 +11,7 @@
 
 #include <topobag/adaptors/opencv.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
+#include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/describe_detections.hpp>
 #include <topobag/sensing/range_detections.hpp>
 
@@ -84,6 +85,7 @@ DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const Detection
     FrameRow row = row_of(frame, i);
     row.detections = topobag::range_detections(
         network ? (*network)(rgb) : source.boxes->of_image[i], depths, camera);
+    row.depth = topobag::DepthGrid(depths, camera.width, camera.height).levels();
     detected.outside += drop_outside(row.detections);
     if (source.colors) {
       topobag::describe_detections(row.detections, topobag::color_image(rgb), depths);

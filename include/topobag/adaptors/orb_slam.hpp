@@ -29,7 +29,8 @@ struct OrbSlamOptions {
   std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
   double min_loop_gap = 0.0;  ///< s between the key frames of a loop; beside the host's rule that
                               ///< covisible ones make none
-  std::chrono::milliseconds loop_wait{200};  ///< a loop query waits this long for its sighting
+  std::chrono::milliseconds loop_wait{200};  ///< a loop query waits this long for a sighting
+                                             ///< that was not given up
 
   /// The defaults, but fewer key frames are matched: tracking waits for the answer.
   static RecognitionOptions few_candidates(std::size_t count) {
@@ -85,6 +86,10 @@ class OrbSlamDatabase {
   bool observe(std::uint64_t epoch, std::uint64_t id, KeyframeSighting sighting) {
     return guarded([&] { return bag_.observe(epoch, id, std::move(sighting)); });
   }
+
+  /// Nothing will be seen in key frame `id` of that epoch: for a topology thread's `OnLost`. Loop
+  /// closing then does not wait for it.
+  void give_up(std::uint64_t epoch, std::uint64_t id) { bag_.give_up(epoch, id); }
 
   /// Makes every graph anew with the host's poses of now: for after a loop was closed.
   void refresh() {

@@ -59,11 +59,7 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   /// later version, or made with other classes. O(n · add).
   explicit SqliteBag(const std::string& path, SqliteOptions options = {}, Bag empty = Bag{})
       : Memory(std::move(empty)), file_(path, std::move(options)) {
-    file_.for_each([this](detail::EntryRecord entry) {
-      Graph graph = decode<typename Graph::Scalar>(entry.graph);
-      appearance_kind_ = kind_with(appearance_kind_, graph);
-      bag_.add(entry.id, std::move(graph), std::move(entry.info));
-    });
+    file_.for_each([this](detail::EntryRecord entry) { hold(std::move(entry)); });
   }
 
   /// The file's.
@@ -75,9 +71,11 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
     require_new(id);
     Row row = row_of(id, graph, info);
     const AppearanceKind kind = kind_with(appearance_kind_, graph);
-    file_.change([&] { file_.insert(row.entry, row.graph); });
+    change({id}, [&] {
+      file_.insert(row.entry, row.graph);
+      bag_.add(id, std::move(row.graph), as_read(row.entry.info));
+    });
     appearance_kind_ = kind;
-    bag_.add(id, std::move(row.graph), as_read(row.entry.info));
   }
 
   /// Adds a new run of the robot and all of its key frames: all are there afterwards, or nothing
@@ -90,14 +88,12 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
     Rows rows = rows_of(run, [](const EntryInfo& info) { return info; });
     for (const Row& row : rows.all) require_new(row.entry.id);
     std::uint32_t session = 0;
-    file_.change([&] {
+    change(ids_of(rows), [&] {
       session = detail::note_session(file_.connection(), name);
-      for (Row& row : rows.all) {
-        row.entry.info.session = session;
-        file_.insert(row.entry, row.graph);
-      }
+      for (Row& row : rows.all) row.entry.info.session = session;
+      take_in(rows);
     });
-    take_in(std::move(rows));
+    appearance_kind_ = rows.kind;
     return session;
   }
 
@@ -109,21 +105,27 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
     }
     Row row = row_of(id, graph, info);
     const AppearanceKind kind = kind_with(appearance_kind_, graph);
-    file_.change([&] { file_.update(row.entry, row.graph); });
+    change({id}, [&] {
+      file_.update(row.entry, row.graph);
+      bag_.update(id, std::move(row.graph), as_read(row.entry.info));
+    });
     appearance_kind_ = kind;
-    bag_.update(id, std::move(row.graph), as_read(row.entry.info));
   }
 
   /// Moves key frames, as a back end does when it has closed a loop: all of them, or nothing has
   /// changed. Throws as `require_poses_of` and `add`. No graph is encoded: 500 in milliseconds.
   void set_poses(const CameraPoses& T_world_camera) {
     require_poses_of(bag_, T_world_camera, path() + ": ");
-    file_.change([&] {
-      for (const auto& [id, T] : T_world_camera) file_.move(id, T);
-    });
+    std::vector<KeyframeId> ids;
     CameraPoses moved;
-    for (const auto& [id, T] : T_world_camera) moved.emplace(id, as_read(T));
-    bag_.set_poses(moved);
+    for (const auto& [id, T] : T_world_camera) {
+      ids.push_back(id);
+      moved.emplace(id, as_read(T));
+    }
+    change(ids, [&] {
+      for (const auto& [id, T] : T_world_camera) file_.move(id, T);
+      bag_.set_poses(moved);
+    });
   }
 
   /// Adds all entries of another bag, and the names of its runs where it has them: all, or nothing
@@ -139,19 +141,22 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
     const auto new_ids = detail::free_ids(theirs, file_.ids());
     for (Row& row : rows.all) row.entry.id = new_ids.at(row.entry.id);
     const auto sessions = detail::named_sessions(other, 0);
-    file_.change([&] {
+    change(ids_of(rows), [&] {
       detail::note_sessions(file_.connection(), sessions, options.session_offset);
-      for (const Row& row : rows.all) file_.insert(row.entry, row.graph);
+      take_in(rows);
     });
-    take_in(std::move(rows));
+    appearance_kind_ = rows.kind;
     return new_ids;
   }
 
   /// Takes a key frame out; false if it was not there.
   bool erase(KeyframeId id) {
     if (!bag_.contains(id)) return false;
-    file_.change([&] { file_.erase(id); });
-    return bag_.erase(id);
+    change({id}, [&] {
+      file_.erase(id);
+      bag_.erase(id);
+    });
+    return true;
   }
 
   /// Notes a new run of the robot, numbered on from the last one, from 0. Throws InvalidValue for a
@@ -189,12 +194,46 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
     return rows;
   }
 
-  /// Puts into memory what has been written.
-  void take_in(Rows rows) {
-    appearance_kind_ = rows.kind;
+  static std::vector<KeyframeId> ids_of(const Rows& rows) {
+    std::vector<KeyframeId> ids;
+    for (const Row& row : rows.all) ids.push_back(row.entry.id);
+    return ids;
+  }
+
+  /// Into the file and into memory.
+  void take_in(Rows& rows) {
     for (Row& row : rows.all) {
+      file_.insert(row.entry, row.graph);
       bag_.add(row.entry.id, std::move(row.graph), as_read(row.entry.info));
     }
+  }
+
+  /// A change of the file and of the bag; should either fail, neither has changed.
+  /// @param ids  of the key frames that `work` changes in the bag
+  template <typename Work>
+  void change(const std::vector<KeyframeId>& ids, const Work& work) {
+    bool begun = false;
+    try {
+      file_.change([&] {
+        begun = true;
+        work();
+      });
+    } catch (...) {
+      if (begun) {
+        for (const KeyframeId id : ids) {
+          bag_.erase(id);
+          file_.for_one(id, [this](detail::EntryRecord entry) { hold(std::move(entry)); });
+        }
+      }
+      throw;
+    }
+  }
+
+  /// Into memory, what the file holds.
+  void hold(detail::EntryRecord entry) {
+    Graph graph = decode<typename Graph::Scalar>(entry.graph);
+    appearance_kind_ = kind_with(appearance_kind_, graph);
+    bag_.add(entry.id, std::move(graph), std::move(entry.info));
   }
 
   Row row_of(KeyframeId id, const Graph& graph, const EntryInfo& info) const {

@@ -47,7 +47,8 @@ struct TopologyThreadCounts {
 /// `Input` is what the work needs of a key frame: its id and images, which it must own. The work
 /// runs the detector, lifts, and hands the nodes on (`OrbSlamDatabase::observe`); what it throws is
 /// counted and told, and the thread goes on. `on_lost` hears of every key frame that came to
-/// nothing, with the reason, on the thread that lost it; it must not call back or throw.
+/// nothing, with the reason, on the thread that lost it; it tells who waits for the key frame
+/// (`OrbSlamDatabase::give_up`), and must not call back or throw.
 template <typename Input>
 class TopologyThread {
  public:

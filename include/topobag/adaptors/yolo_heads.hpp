@@ -38,6 +38,13 @@ struct NetworkOutput {
 
 namespace detail {
 
+/// A detection's class is the one with the best score, of which there has to be one.
+inline void require_classes(const std::vector<ClassId>& classes) {
+  if (classes.empty()) {
+    throw InvalidValue("the network has no classes: say which class is behind each of its scores");
+  }
+}
+
 inline void require_shape(const NetworkOutput& output, std::size_t rows, std::size_t columns,
                           const std::string& network) {
   const bool any_rows = rows == 0, any_columns = columns == 0;
@@ -94,11 +101,12 @@ class HeadDetections {
 /// upper-left corner.
 /// @param classes     the class behind each score
 /// @param input_size  side of the network's square input, px
-/// Throws InvalidValue when the output's shape does not go with classes and input size, when a
-/// score is no probability, and when the boxes are shares of the input.
+/// Throws InvalidValue for no classes, when the output's shape does not go with classes and input
+/// size, when a score is no probability, and when the boxes are shares of the input.
 inline std::vector<Detection> decode_yolox(const NetworkOutput& output,
                                            const std::vector<ClassId>& classes, int input_size,
                                            double min_confidence) {
+  detail::require_classes(classes);
   constexpr std::size_t strides[] = {8, 16, 32};
   const auto input_side = static_cast<std::size_t>(input_size);
   std::size_t cells = 0;
@@ -130,6 +138,7 @@ inline std::vector<Detection> decode_yolox(const NetworkOutput& output,
 inline std::vector<Detection> decode_yolov5(const NetworkOutput& output,
                                             const std::vector<ClassId>& classes,
                                             double min_confidence) {
+  detail::require_classes(classes);
   detail::require_shape(output, 0, 5 + classes.size(),
                         "YOLOv5 network of " + std::to_string(classes.size()) + " classes");
   detail::HeadDetections detections(min_confidence);
@@ -148,6 +157,7 @@ inline std::vector<Detection> decode_yolov5(const NetworkOutput& output,
 inline std::vector<Detection> decode_yolov8(const NetworkOutput& output,
                                             const std::vector<ClassId>& classes,
                                             double min_confidence) {
+  detail::require_classes(classes);
   detail::require_shape(output, 4 + classes.size(), 0,
                         "YOLOv8 network of " + std::to_string(classes.size()) + " classes");
   const auto at = [&](std::size_t row, std::size_t box) {

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <ostream>
 #include <streambuf>
@@ -18,6 +13,7 @@
 #include <vector>
 
 #include <topobag/error.hpp>
+#include <topobag/platform.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -43,7 +39,7 @@ class FileBuffer : public std::streambuf {
 
   int sync() override {
     for (const char* at = pbase(); error_ == 0 && at != pptr();) {
-      const ssize_t written = ::write(file_, at, static_cast<std::size_t>(pptr() - at));
+      const std::ptrdiff_t written = write_some(file_, at, static_cast<std::size_t>(pptr() - at));
       if (written >= 0) {
         at += written;
       } else if (errno != EINTR) {
@@ -62,21 +58,15 @@ class FileBuffer : public std::streambuf {
   std::vector<char> buffer_;
 };
 
-/// A link is followed: the file behind it is written, not the link.
-inline std::string target_of(const std::string& path) {
-  const std::unique_ptr<char, void (*)(void*)> target(::realpath(path.c_str(), nullptr), std::free);
-  return target ? std::string(target.get()) : path;
-}
-
 inline std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
+  const std::size_t slash = path.find_last_of(folder_separators);
   return slash == std::string::npos ? "." : path.substr(0, slash + 1);
 }
 
 }  // namespace detail
 
 /// A file that appears under its name complete and on the disk, or not at all: what stood there
-/// before stays until then. (POSIX.)
+/// before stays until then. A link is followed: the file behind it is written.
 ///
 /// Written beside its place under a name of its own; `commit` syncs and renames. Without it the
 /// destructor takes the unfinished file away; a process that is killed leaves it behind, and it may
@@ -84,16 +74,17 @@ inline std::string folder_of(const std::string& path) {
 class AtomicFile {
  public:
   /// Throws Error when the file cannot be made, or what stands there is no regular file.
-  explicit AtomicFile(const std::string& path) : path_(detail::target_of(path)) {
-    struct ::stat before {};
-    const bool replaces = ::stat(path_.c_str(), &before) == 0;
-    if (replaces && !S_ISREG(before.st_mode)) fail(S_ISDIR(before.st_mode) ? EISDIR : EINVAL);
+  explicit AtomicFile(const std::string& path) : path_(detail::real_path(path)) {
+    using Kind = detail::FileStatus::Kind;
+    const detail::FileStatus before = detail::status_of(path_);
+    if (before.kind == Kind::folder) fail(EISDIR);
+    if (before.kind == Kind::other) fail(EINVAL);
     for (int attempt = 0; file_ < 0; ++attempt) {
-      temporary_ = path_ + ".part-" + std::to_string(::getpid()) + '-' + std::to_string(attempt);
-      file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      temporary_ = path_ + ".part-" + std::to_string(detail::process_number()) + '-' + std::to_string(attempt);
+      file_ = detail::create_file(temporary_);
       if (file_ < 0 && errno != EEXIST) fail(errno);
     }
-    if (replaces) static_cast<void>(::fchmod(file_, before.st_mode));
+    if (before.kind == Kind::regular) detail::set_mode(file_, before.mode);
     buffer_ = std::make_unique<detail::FileBuffer>(file_);
   }
 
@@ -101,8 +92,8 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   ~AtomicFile() {
-    if (file_ >= 0) ::close(file_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (file_ >= 0) detail::close_file(file_);
+    if (!temporary_.empty()) std::remove(temporary_.c_str());
   }
 
   /// Where the content goes.
@@ -111,11 +102,11 @@ class AtomicFile {
   /// Throws Error with the system's reason; then the old file is as it was.
   void commit() {
     if (buffer_->pubsync() != 0) fail(buffer_->error());
-    if (::fsync(file_) != 0) fail(errno);
-    if (::close(std::exchange(file_, -1)) != 0) fail(errno);
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
+    if (detail::sync_file(file_) != 0) fail(errno);
+    if (detail::close_file(std::exchange(file_, -1)) != 0) fail(errno);
+    if (detail::replace_file(temporary_, path_) != 0) fail(errno);
     temporary_.clear();
-    sync_folder();
+    detail::sync_folder(detail::folder_of(path_));
   }
 
   /// Throws Error with the reason for which a write failed.
@@ -124,14 +115,6 @@ class AtomicFile {
  private:
   [[noreturn]] void fail(int reason) const {
     throw Error(path_ + " cannot be written: " + std::generic_category().message(reason));
-  }
-
-  /// So that the new name, too, survives a loss of power. Not every file system can.
-  void sync_folder() const {
-    const int opened = ::open(detail::folder_of(path_).c_str(), O_RDONLY | O_CLOEXEC);
-    if (opened < 0) return;
-    static_cast<void>(::fsync(opened));
-    ::close(opened);
   }
 
   std::string path_;

@@ -57,8 +57,8 @@ class BagOfTopologyGraphs {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
-    auto entry = taken_in(std::move(graph), std::move(info));
-    place(id, *entries_.emplace(id, std::move(entry)).first->second);
+    auto [entry, descriptor] = taken_in(std::move(graph), std::move(info));
+    place(id, *entries_.emplace(id, std::move(entry)).first->second, std::move(descriptor));
   }
 
   /// Replaces a key frame's graph and info. Throws InvalidId if `id` is not there.
@@ -67,10 +67,10 @@ class BagOfTopologyGraphs {
     if (it == entries_.end()) {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
-    auto entry = taken_in(std::move(graph), std::move(info));
+    auto [entry, descriptor] = taken_in(std::move(graph), std::move(info));
     displace(id, *it->second);
     it->second = std::move(entry);
-    place(id, *it->second);
+    place(id, *it->second, std::move(descriptor));
   }
 
   /// Moves key frames, as a back end does when it has closed a loop; the others stay. Throws as
@@ -92,16 +92,19 @@ class BagOfTopologyGraphs {
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
     options.validate();
     AppearanceKind kind = appearance_kind_;
-    std::map<KeyframeId, EntryPointer> joining;
+    using Descriptor = decltype(descriptor_of(std::declval<const Graph&>()));
+    std::map<KeyframeId, std::pair<EntryPointer, Descriptor>> joining;
     other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
       kind = kind_with(kind, graph);
-      joining.emplace(id, make_entry(graph, options.moved(info)));
+      joining.emplace(id, std::make_pair(make_entry(graph, options.moved(info)),
+                                         descriptor_of(graph)));
     });
     const auto new_ids = detail::free_ids(joining, entries_);
     appearance_kind_ = kind;
-    for (auto& [id, entry] : joining) {
+    for (auto& [id, joined] : joining) {
       const KeyframeId new_id = new_ids.at(id);
-      place(new_id, *entries_.emplace(new_id, std::move(entry)).first->second);
+      place(new_id, *entries_.emplace(new_id, std::move(joined.first)).first->second,
+            std::move(joined.second));
     }
     return new_ids;
   }
@@ -216,23 +219,36 @@ class BagOfTopologyGraphs {
   EntryPointer make_entry(Graph graph, EntryInfo info) const {
     info.validate();
     if constexpr (detail::is_topology_graph_v<Graph>) require_savable(graph);
-    auto entry = std::make_shared<Entry>(Entry{std::move(graph), std::move(info), {}});
-    if constexpr (precomputed && !indexed) entry->key = similarity_.descriptor(entry->graph);
-    return entry;
+    return std::make_shared<Entry>(Entry{std::move(graph), std::move(info), {}});
   }
 
-  /// The entry, and that its descriptors are of the bag's kind from now on.
-  EntryPointer taken_in(Graph graph, EntryInfo info) {
+  auto descriptor_of([[maybe_unused]] const Graph& graph) const {
+    if constexpr (precomputed) {
+      return similarity_.descriptor(graph);
+    } else {
+      return detail::Nothing{};
+    }
+  }
+
+  /// The entry and its descriptor, and that what its objects look like is of the bag's kind from
+  /// now on. What may throw comes first.
+  auto taken_in(Graph graph, EntryInfo info) {
     const AppearanceKind kind = kind_with(appearance_kind_, graph);
     auto entry = make_entry(std::move(graph), std::move(info));
+    auto descriptor = descriptor_of(entry->graph);
     appearance_kind_ = kind;
-    return entry;
+    return std::make_pair(std::move(entry), std::move(descriptor));
   }
 
   /// Makes an entry known to everything that finds entries.
-  void place(KeyframeId id, Entry& entry) {
+  template <typename Descriptor>
+  void place(KeyframeId id, Entry& entry, [[maybe_unused]] Descriptor descriptor) {
     places_.add(id, entry.info, detail::objects_of(entry.graph));
-    if constexpr (indexed) entry.key = index_.add(id, similarity_.descriptor(entry.graph));
+    if constexpr (indexed) {
+      entry.key = index_.add(id, descriptor);
+    } else if constexpr (precomputed) {
+      entry.key = std::move(descriptor);
+    }
   }
   void displace(KeyframeId id, const Entry& entry) {
     places_.remove(id, entry.info, detail::objects_of(entry.graph));

@@ -11,6 +11,7 @@
 #include <topobag/bag/detail/appearance_code.hpp>
 #include <topobag/bag/detail/bit_reader.hpp>
 #include <topobag/bag/detail/bit_writer.hpp>
+#include <topobag/bag/detail/depth_code.hpp>
 #include <topobag/bag/detail/edge_code.hpp>
 #include <topobag/bag/detail/graph_header.hpp>
 #include <topobag/bag/detail/gravity_code.hpp>
@@ -27,16 +28,18 @@ inline namespace v0 {
 inline constexpr unsigned graph_codec_version = 2;
 
 /// What `encode` writes the graph in: the least version that can hold it, so that nothing grows and
-/// an older topobag reads what it can. 1, and 2 with gravity or appearance.
+/// an older topobag reads what it can. 1, and 2 with gravity, appearance or views that know depth.
 template <typename Scalar>
-unsigned codec_version_for(const TopologyGraph<Scalar>& graph) noexcept {
-  return graph.gravity() || graph.appearance_kind().length() > 0 ? 2 : 1;
+unsigned codec_version_for(const TopologyGraph<Scalar>& graph,
+                           ViewSection views = ViewSection::kept) noexcept {
+  const bool depth = views == ViewSection::kept && detail::any_depth(graph.views());
+  return graph.gravity() || graph.appearance_kind().length() > 0 || depth ? 2 : 1;
 }
 
 /// A graph in few bytes: some 180 for 12 objects, the views not counted. The same bytes on every
 /// machine; for memory, file, data base and radio alike.
 ///
-/// Kept exactly: order, classes, edges, appearance, what is absent. Rounded, by at most: positions
+/// Kept exactly: order, classes, edges, appearance, the depth of views, what is absent. Rounded, by at most: positions
 /// and depths 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm; pixels a half;
 /// confidence and existence 0.004; standard deviations 4.5 % along the viewing ray and across it,
 /// which is the shape that `NodeNoise` gives a covariance and to which any other is rounded off. Of
@@ -53,16 +56,18 @@ std::vector<std::uint8_t> encode(const TopologyGraph<Scalar>& graph,
   const bool with_views = views == ViewSection::kept && !graph.views().empty();
   detail::BitWriter writer;
   detail::GraphHeader header;
-  header.version = codec_version_for(graph);
+  header.version = codec_version_for(graph, views);
   header.views = with_views;
   header.gravity = graph.gravity().has_value();
   header.appearance = graph.appearance_kind().length() > 0;
+  header.depth = with_views && detail::any_depth(graph.views());
   detail::put_header(writer, header);
   detail::NodeColumns(graph.nodes()).put(writer);
   detail::put_edges(writer, graph.edges(), graph.size());
   if (with_views) detail::ViewColumns(graph.views()).put(writer);
   if (graph.gravity()) detail::put_gravity(writer, *graph.gravity());
   if (header.appearance) detail::put_appearances(writer, graph.nodes(), graph.appearance_kind());
+  if (header.depth) detail::put_depths(writer, graph.views());
   return writer.take();
 }
 
@@ -84,6 +89,7 @@ TopologyGraph<Scalar> decode(const std::uint8_t* data, std::size_t size) {
   std::optional<Gravity<Scalar>> gravity;
   if (header.gravity) gravity = detail::get_gravity<Scalar>(reader);
   if (header.appearance) detail::get_appearances(reader, nodes);
+  if (header.depth) detail::get_depths(reader, views);
   reader.finish();
   return TopologyGraph<Scalar>(std::move(nodes), std::move(edges), std::move(views), gravity);
 }

@@ -13,7 +13,8 @@ namespace topobag {
 inline namespace v0 {
 
 /// Whether the cameras that looked for the nodes come along: they carry the negative evidence, and
-/// most of the bytes.
+/// most of the bytes. A map that is saved without them decides otherwise when it is loaded than
+/// before: what is missing speaks against nothing any more.
 enum class ViewSection { kept, left_out };
 
 namespace detail {
@@ -32,25 +33,15 @@ bool is_savable(const SemanticNode<Scalar>& node) {
 
 template <typename Scalar>
 bool is_savable(const View<Scalar>& view) {
-  const auto& camera = view.camera;
   const Eigen::Vector3d t = view.T_graph_camera.translation().template cast<double>();
-  bool finite = t.allFinite() && t.cwiseAbs().maxCoeff() <= max_metres;
-  for (const Scalar x : {camera.fx, camera.fy, camera.cx, camera.cy}) {
-    finite = finite && std::isfinite(x);
-  }
-  for (const Occluder& o : view.occluders) {
-    for (const double x : {o.box.x1, o.box.y1, o.box.x2, o.box.y2, o.z}) {
-      finite = finite && std::isfinite(x);
-    }
-  }
-  return finite;
+  return t.cwiseAbs().maxCoeff() <= max_metres;
 }
 
 }  // namespace detail
 
 /// What every graph is held to that a map takes, in memory as in a file, so that what was added can
 /// be saved. Throws InvalidValue for more than 4096 nodes, and with its index for a node or a view
-/// that is more than 2^20 m away, or a view that is not finite. O(n + occluders).
+/// that is more than 2^20 m away. O(n + views).
 template <typename Scalar>
 void require_savable(const TopologyGraph<Scalar>& graph, ViewSection views = ViewSection::kept) {
   if (graph.size() > detail::max_nodes) {
@@ -65,9 +56,8 @@ void require_savable(const TopologyGraph<Scalar>& graph, ViewSection views = Vie
   }
   for (std::size_t i = 0; views == ViewSection::kept && i < graph.views().size(); ++i) {
     if (!detail::is_savable(graph.views()[i])) {
-      throw InvalidValue("view " + std::to_string(i) +
-                             " holds a number that is not finite, or is more than 2^20 m away",
-                         i);
+      throw InvalidValue(
+          "view " + std::to_string(i) + " is more than 2^20 m away: a graph is kept in metres", i);
     }
   }
 }

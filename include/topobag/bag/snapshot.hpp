@@ -86,7 +86,8 @@ void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {})
   header.entries = bag.size();
   header.catalog_fingerprint = options.catalog_fingerprint;
   bag.for_each([&](KeyframeId, const EntryInfo&, const typename Bag::Graph& graph) {
-    header.codec_version = std::max<std::uint32_t>(header.codec_version, codec_version_for(graph));
+    header.codec_version =
+        std::max<std::uint32_t>(header.codec_version, codec_version_for(graph, options.views));
   });
   detail::write_bytes(stream, to_bytes(header));
   std::uint64_t written = 0;

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <string>
 #include <system_error>
 
 #include <topobag/bag/atomic_file.hpp>
 #include <topobag/error.hpp>
+#include <topobag/platform.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -24,28 +21,20 @@ inline namespace v0 {
 ///     save(bag, "room.bag");
 ///
 /// It is the file's folder that is locked, since `save` replaces the file: nothing is left behind,
-/// and files of one folder are written one after the other. (POSIX; a second lock in one thread
-/// waits for ever.)
+/// and files of one folder are written one after the other. (A second lock in one thread waits for
+/// ever.)
 class WriterLock {
  public:
   /// Throws Error with the system's reason when the folder cannot be locked.
-  explicit WriterLock(const std::string& path) {
-    const std::string folder = detail::folder_of(detail::target_of(path));
-    folder_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-    int status = folder_ < 0 ? -1 : 0;
-    while (folder_ >= 0 && (status = ::flock(folder_, LOCK_EX)) != 0 && errno == EINTR) continue;
-    if (status == 0) return;
-    const std::string reason = std::generic_category().message(errno);
-    if (folder_ >= 0) ::close(folder_);
-    throw Error(path + " cannot be written: its folder cannot be locked: " + reason);
+  explicit WriterLock(const std::string& path)
+      : folder_(detail::folder_of(detail::real_path(path))) {
+    if (folder_.valid()) return;
+    throw Error(path + " cannot be written: its folder cannot be locked: " +
+                std::generic_category().message(errno));
   }
 
-  WriterLock(const WriterLock&) = delete;
-  WriterLock& operator=(const WriterLock&) = delete;
-  ~WriterLock() { ::close(folder_); }
-
  private:
-  int folder_ = -1;
+  detail::FolderLock folder_;
 };
 
 }  // namespace v0

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include <topobag/error.hpp>
 #include <topobag/graph/detail/object_tracks.hpp>
 #include <topobag/graph/gravity.hpp>
+#include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph_options.hpp>
 #include <topobag/graph/object_track.hpp>
 #include <topobag/graph/topology_graph.hpp>
@@ -34,6 +36,12 @@ inline namespace v0 {
 /// evidence, class votes, mean position with covariance, and size. An object seen in too few of
 /// the views that should have shown it is dropped. Where key frames say which way is down, their
 /// directions are moved alike and fused.
+///
+/// A rig of several cameras is added camera by camera, all at one stamp, each by its place on the
+/// rig: for the first camera of a stamp `T_previous_current` is from it to the camera that was
+/// added last, which is the motion and the rig's own geometry together. The graph is in the frame
+/// of the camera added last; what several cameras see is one object, and one that only some of them
+/// can see is expected of these alone.
 template <typename Scalar_ = double>
 class LocalGraph {
  public:
@@ -50,9 +58,9 @@ class LocalGraph {
   /// @param T_previous_current  from this key frame's camera to the last one's; the first has none
   /// @param view                the key frame's camera and occluders; `T_graph_camera` is ignored
   /// @param gravity             which way is down in the key frame's camera frame, where it knows
-  /// Throws InvalidValue for a stamp that goes back, for a pose that is no rigid motion, a camera
-  /// that is not finite, and, with its index, for a node that a graph would refuse, and a gravity
-  /// alike, or descriptors of another kind than before. O(objects² + objects · nodes).
+  /// Throws InvalidValue for a stamp that goes back, for a pose that is no rigid motion, a view and,
+  /// with its index, a node that a graph would refuse, and a gravity alike, or descriptors of
+  /// another kind than before. O(objects² + objects · nodes).
   void add(double stamp, const std::vector<Node>& nodes, const Pose& T_previous_current,
            View<Scalar> view = {}, std::optional<Gravity<Scalar>> gravity = std::nullopt) {
     require_seconds(stamp);
@@ -67,14 +75,22 @@ class LocalGraph {
       T_current_previous = T.template cast<Scalar>().inverse();
     }
     if (view.camera.fx != Scalar(0)) view.camera.validate();
+    view.T_graph_camera.setIdentity();
+    view.validate();  // here: later it would come up in every graph of the window
     const TopologyGraph<Scalar> shown(nodes, {}, {}, gravity);
     appearance_kind_ = common_kind(appearance_kind_, shown.appearance_kind(), "the key frame");
     const std::vector<Node> sighted = placed(shown);
     if (!frames_.empty()) move_to_frame(T_current_previous);
     forget_before(stamp - options_.window);
-    view.T_graph_camera.setIdentity();
     frames_.push_back({stamp, next_view_, std::move(view), shown.gravity()});
     tracks_.add(next_view_++, sighted);
+  }
+
+  /// The same of what `sight_keyframe` gives.
+  void add(const KeyframeSighting& seen, const Pose& T_previous_current) {
+    static_assert(std::is_same_v<Scalar, double>,
+                  "topobag: a KeyframeSighting is of double; so is the LocalGraph that takes it.");
+    add(seen.stamp, seen.nodes, T_previous_current, seen.view, seen.gravity);
   }
 
   /// The fused graph. `view_count()` of its views come with it. O(objects · views² + builder).
@@ -139,13 +155,13 @@ class LocalGraph {
     tracks_.forget_before(oldest);
   }
 
-  /// The nodes with a position; one whose covariance is not modelled gets the default noise.
-  static std::vector<Node> placed(const TopologyGraph<Scalar>& graph) {
+  /// The nodes with a position; one whose covariance is not modelled gets the options' noise.
+  std::vector<Node> placed(const TopologyGraph<Scalar>& graph) const {
     std::vector<Node> kept;
     for (const Node& node : graph.nodes()) {
       if (!node.position) continue;
       kept.push_back(node);
-      kept.back().covariance = position_covariance(node).template cast<Scalar>();
+      kept.back().covariance = position_covariance(node, options_.noise).template cast<Scalar>();
     }
     return kept;
   }

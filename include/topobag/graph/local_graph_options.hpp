@@ -15,6 +15,7 @@ struct LocalGraphOptions {
   double other_class_gate = 1.0;  ///< σ for another class: detectors waver between tv and laptop
   SameObject merge{0.3};          ///< when two objects of whatever class are made one
   double merge_gate = 2.0;        ///< σ for two of one class that no view shows together
+  NodeNoise noise = default_sensor.noise;  ///< of a node without a covariance
   double correlation = 0.5;    ///< share of a sighting's, or a gravity's, error that others repeat
   double image_margin = 20.0;  ///< px from the border within which nothing need show
   double max_depth = default_sensor.detection_range;  ///< m beyond which nothing need show
@@ -26,6 +27,7 @@ inline LocalGraphOptions local_graph_options(const SensorProfile& sensor) {
   LocalGraphOptions options;
   options.gate = sensor.gate_deviations;
   options.max_depth = sensor.detection_range;
+  options.noise = sensor.noise;
   return options;
 }
 

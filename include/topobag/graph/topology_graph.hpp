@@ -16,7 +16,6 @@
 #include <topobag/graph/gravity.hpp>
 #include <topobag/graph/view.hpp>
 #include <topobag/types/appearance.hpp>
-#include <topobag/types/rigid_motion.hpp>
 #include <topobag/types/semantic_node.hpp>
 
 namespace topobag {
@@ -40,14 +39,14 @@ class TopologyGraph {
   /// @param gravity  which way is down, in the graph's frame, where it is known
   /// Throws InvalidValue with the node's or edge's index for a number that is not finite, a
   /// covariance that is neither zero nor positive definite, an appearance of another kind than that
-  /// of a node before, an edge from a node to itself, or an end beyond the nodes; for a view's pose
-  /// that is no rigid motion; and as `normalized` does of the gravity. O(n + m log m).
+  /// of a node before, an edge from a node to itself, or an end beyond the nodes; and as
+  /// `View::validate`, and `normalized` of the gravity. O(n + m log m).
   explicit TopologyGraph(std::vector<Node> nodes, EdgeList edges = {},
                          std::vector<View<Scalar>> views = {},
                          std::optional<Gravity<Scalar>> gravity = std::nullopt)
       : nodes_(std::move(nodes)), views_(std::move(views)) {
     if (gravity) gravity_ = normalized(*gravity);
-    for (const View<Scalar>& view : views_) require_rigid(view.T_graph_camera, "a view's pose");
+    for (const View<Scalar>& view : views_) view.validate();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       require_valid(nodes_[i], i);
       appearance_kind_ = common_kind(appearance_kind_, nodes_[i].appearance.kind(), "node", i);

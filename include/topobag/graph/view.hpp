@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include <topobag/error.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
 #include <topobag/types/bounding_box.hpp>
 #include <topobag/types/detail/one_alignment.hpp>
+#include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -31,7 +34,30 @@ struct View {
   Pose T_graph_camera = Pose::Identity();  ///< from this camera's frame to the graph's
   PinholeCamera<Scalar> camera;            ///< with its image size
   std::vector<Occluder> occluders;         ///< everything detected, dynamic objects too
-  std::optional<DepthGrid> depth;          ///< measured by this camera; in memory alone, not saved
+  std::optional<DepthGrid> depth;          ///< measured by this camera, of its image's size
+
+  /// Throws InvalidValue for a pose that is no rigid motion, a number that is not finite, and a
+  /// depth of another size than the camera's image. O(occluders).
+  void validate() const {
+    require_rigid(T_graph_camera, "a view's pose");
+    bool finite = true;
+    for (const Scalar x : {camera.fx, camera.fy, camera.cx, camera.cy}) {
+      finite = finite && std::isfinite(x);
+    }
+    for (const Occluder& o : occluders) {
+      for (const double x : {o.box.x1, o.box.y1, o.box.x2, o.box.y2, o.z}) {
+        finite = finite && std::isfinite(x);
+      }
+    }
+    if (!finite) {
+      throw InvalidValue("a view's camera or occluder holds a number that is not finite; 0 is the "
+                         "depth that is unknown");
+    }
+    if (depth && (depth->width() != camera.width || depth->height() != camera.height)) {
+      throw InvalidValue("a view's depth is of another size than its camera's image, or that is "
+                         "not known");
+    }
+  }
 
   /// Where a point (graph frame, m) falls into this image when it is at least `margin` px inside
   /// and nearer than `max_depth` m, and its distance along the optical axis, m. Nothing when the

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/class_confusion.hpp>
@@ -59,7 +60,8 @@ struct ChanceModel {
 
   /// −log10 of the expected number of false matches. 0 for fewer than three pairs, or two where the
   /// vertical is known. O(n + k).
-  /// @param pairs   of nodes with positions, one-to-one
+  /// @param pairs   of nodes with positions, one-to-one, each within a group. Throws InvalidValue
+  ///                for others: there is no way to choose them
   /// @param points  their positions and covariances, parallel to `pairs`
   /// @param pose    fitted to `points`, with its covariance
   /// @param vertical  where both frames know it
@@ -130,7 +132,8 @@ struct ChanceModel {
   }
 
   /// log10 of the number of ways to choose which same-group nodes pair up: per group with q of n
-  /// and m nodes, C(n, q) · C(m, q) · q! choices, and min(n, m) + 1 values that q may take.
+  /// and m nodes, C(n, q) · C(m, q) · q! choices, and min(n, m) + 1 values that q may take. Throws
+  /// InvalidValue for pairs that cannot be chosen so.
   template <typename Scalar>
   static double log10_ways(const TopologyGraph<Scalar>& candidate,
                            const TopologyGraph<Scalar>& query,
@@ -150,6 +153,11 @@ struct ChanceModel {
     }
     double log_ways = 0.0;
     for (const auto& [group, c] : counts) {
+      if (c.matched > std::min(c.candidate, c.query)) {
+        throw InvalidValue(
+            "the pairs cannot be chosen: they have to be one-to-one, of nodes with positions and of "
+            "one class or one group of classes");
+      }
       log_ways += log_choose(c.candidate, c.matched) + log_choose(c.query, c.matched) +
                   log_factorial(c.matched) +
                   std::log(1.0 + static_cast<double>(std::min(c.candidate, c.query)));

@@ -21,6 +21,7 @@ struct CoincidenceOptions {
   /// Standard deviations (of a 3-D residual) between them at most.
   double deviations = default_sensor.gate_deviations;
   double max_distance = default_sensor.gate;  ///< m
+  NodeNoise noise = default_sensor.noise;     ///< of a node without a covariance
 };
 
 /// One-to-one pairs of objects that a pose brings together, whatever their classes: the pose's
@@ -36,7 +37,7 @@ std::vector<Correspondence> coincident_objects(const TopologyGraph<Scalar>& cand
     if (!query.nodes()[q].position) continue;
     for (std::size_t p = 0; p < candidate.size(); ++p) {
       if (!candidate.nodes()[p].position) continue;
-      const PointPair points = point_pair(candidate.nodes()[p], query.nodes()[q]);
+      const PointPair points = point_pair(candidate.nodes()[p], query.nodes()[q], options.noise);
       if (points.residual(pose.T_candidate_query).norm() > options.max_distance) continue;
       const double deviation2 = points.squared_deviation(pose.T_candidate_query);
       if (deviation2 <= options.deviations * options.deviations) {

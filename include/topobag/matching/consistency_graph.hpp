@@ -29,6 +29,7 @@ struct ConsistencyOptions {
   double deviations = 2.5;      ///< standard deviations that two distances may differ by
   double min_tolerance = default_sensor.least_tolerance;  ///< m, whatever the covariances say
   double max_tolerance = default_sensor.gate;             ///< m
+  NodeNoise noise = default_sensor.noise;  ///< of a node without a covariance, here and in the fit
   std::size_t max_pairs = 160;  ///< beyond it classes with many keep the most alike
 };
 
@@ -44,12 +45,12 @@ class ConsistencyGraph {
         pairs_(best_pairs(candidate, query, options, complete_)),
         agreement_(pairs_.size(), pairs_.size()),
         vertical_(shared_vertical(candidate, query)),
-        candidate_distances_(candidate, vertical_ ? &*candidate.gravity() : nullptr),
-        query_distances_(query, vertical_ ? &*query.gravity() : nullptr) {
+        candidate_distances_(candidate, vertical_ ? &*candidate.gravity() : nullptr, options.noise),
+        query_distances_(query, vertical_ ? &*query.gravity() : nullptr, options.noise) {
     points_.reserve(pairs_.size());
     query_of_.reserve(pairs_.size());
     for (const Correspondence& pair : pairs_) {
-      points_.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query)));
+      points_.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query), options.noise));
       query_of_.push_back(value(pair.query));
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {

@@ -32,7 +32,8 @@ std::optional<RelativePose> judge_pose(const TopologyGraph<Scalar>& candidate,
   std::vector<PointPair> points;
   points.reserve(pairs.size());
   for (const Correspondence& pair : pairs) {
-    points.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query)));
+    points.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query),
+                                options.consistency.noise));
   }
   const detail::PoseJudge<Scalar> judge(candidate, query, pairs, points, options);
   auto supporters = judge.supporters_of(T_candidate_query);

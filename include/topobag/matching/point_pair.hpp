@@ -73,8 +73,10 @@ struct PointPair {
 /// Two nodes taken for the same object, whose size is the geometric mean of what both show. A
 /// node's viewing ray is taken to be that of its graph's camera. Precondition: both have a
 /// position.
+/// @param unmodelled  the noise of a node that has no covariance
 template <typename Scalar>
-PointPair point_pair(const SemanticNode<Scalar>& target, const SemanticNode<Scalar>& source) {
+PointPair point_pair(const SemanticNode<Scalar>& target, const SemanticNode<Scalar>& source,
+                     const NodeNoise& unmodelled = {}) {
   const double there2 = static_cast<double>(target.size.x() * target.size.y());
   const double here2 = static_cast<double>(source.size.x() * source.size.y());
   const double size = std::sqrt(std::sqrt(std::max(0.0, there2 * here2)));
@@ -82,8 +84,8 @@ PointPair point_pair(const SemanticNode<Scalar>& target, const SemanticNode<Scal
   const Eigen::Vector3d here = source.position->template cast<double>();
   return {there,
           here,
-          position_covariance(target),
-          position_covariance(source),
+          position_covariance(target, unmodelled),
+          position_covariance(source, unmodelled),
           size * there.normalized(),
           size * here.normalized()};
 }

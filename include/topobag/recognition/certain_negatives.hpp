@@ -84,12 +84,14 @@ inline std::optional<double> false_score(const Recognition& recognition) {
 
 /// The best score of a match that puts the query elsewhere than it is, among those that were judged
 /// by their place and leave the pose not open; nothing when there is none. Entries without a pose
-/// in the world are passed over. O(candidates).
+/// in the world are passed over. Throws InvalidValue for a query's pose that is no rigid motion.
+/// O(candidates).
 /// @param bag  that was asked
 template <typename Bag>
 std::optional<double> false_score_by_pose(const Recognition& recognition, const Bag& bag,
                                           const Eigen::Isometry3d& T_world_query,
                                           const PoseNegativeOptions& options = {}) {
+  require_rigid(T_world_query, "the query's pose");
   std::optional<double> best;
   for (const CandidateReport& report : recognition.candidates) {
     if (!report.pose || !report.place_support || report.pose->degenerate) continue;
@@ -127,12 +129,14 @@ inline bool add_negative(Calibration& calibration, const Recognition& recognitio
 /// Best made `without_threshold`: of a usual look-up, scores below its threshold may be missing. An
 /// entry that was matched where the query is leaves no room for a false match: a look-up teaches
 /// nothing when more than half of its entries with a pose in the world were, or when it compared
-/// none. So a map of one place teaches nothing of others. Whether it was added. O(candidates).
+/// none. So a map of one place teaches nothing of others. Whether it was added. Throws as
+/// `false_score_by_pose`. O(candidates).
 /// @param bag  that was asked
 template <typename Bag>
 bool add_negative_by_pose(Calibration& calibration, const Recognition& recognition, const Bag& bag,
                           const Eigen::Isometry3d& T_world_query,
                           const PoseNegativeOptions& options = {}) {
+  require_rigid(T_world_query, "the query's pose");
   std::size_t asked = 0, at_query = 0;
   for (const CandidateReport& report : recognition.candidates) {
     const auto T_world_candidate = detail::known_pose(bag, report.id);

@@ -134,7 +134,7 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   for (const Correspondence& pair : pose.inliers) {
     const auto& there = candidate.node(pair.candidate);
     const auto& here = query.node(pair.query);
-    const PointPair points = point_pair(there, here);
+    const PointPair points = point_pair(there, here, options.matching.consistency.noise);
     explanation.matched.push_back(
         {pair.candidate, pair.query, name(there), name(here),
          points.residual(pose.T_candidate_query).norm(),

@@ -30,6 +30,7 @@ inline RecognitionOptions recognition_options(const SensorProfile& sensor) {
   MatchOptions& matching = options.matching;
   matching.consistency.min_tolerance = sensor.least_tolerance;
   matching.consistency.max_tolerance = sensor.gate;
+  matching.consistency.noise = sensor.noise;
   matching.inlier_deviations = sensor.gate_deviations;
   matching.max_residual = sensor.gate;
   matching.min_spread = sensor.min_spread;

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/recognition/recognition.hpp>
+#include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -45,10 +46,13 @@ class TemporalConsistency {
   /// before; ignored for the first
   /// @param T_world_candidate   the matched key frame's pose in the map, where it has one
   /// @return whether there is a match and enough before it agree
+  /// Throws InvalidValue for a pose that is no rigid motion; then nothing has changed.
   template <typename Answer = Recognition>
   bool add(const Answer& recognition,
            const std::optional<Eigen::Isometry3d>& T_previous_current = std::nullopt,
            const std::optional<Eigen::Isometry3d>& T_world_candidate = std::nullopt) {
+    if (T_previous_current) require_rigid(*T_previous_current, "the relative pose");
+    if (T_world_candidate) require_rigid(*T_world_candidate, "the candidate's pose");
     if (last_) {
       T_last_current_ = T_last_current_ && T_previous_current
                             ? std::make_optional(*T_last_current_ * *T_previous_current)

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -16,72 +18,102 @@ namespace topobag {
 inline namespace v0 {
 
 /// A coarse copy of a depth image that keeps, for each cell, how far one can see at least: what a
-/// key frame's free space costs to remember (4.8 kB by default).
+/// key frame's free space costs to remember, 60 bytes in a map. It is as coarse in memory as in a
+/// file, so that a map says the same after it is loaded.
 class DepthGrid {
  public:
+  static constexpr int columns = 10;  ///< cells in a row
+  static constexpr int rows = 8;      ///< of cells
+  /// A cell's depth by its octave, rounded down; 0 = not measured.
+  using Level = std::uint8_t;
+  static constexpr unsigned level_bits = 6;       ///< of a level
+  static constexpr double least_metres = 0.25;    ///< of level 1; what is nearer is not measured
+  static constexpr double levels_per_octave = 8;  ///< up to 54 m; what is further counts as that
+  using Levels = std::array<Level, static_cast<std::size_t>(columns* rows)>;  ///< row by row
+
   /// @param depth         the depth source of an image
   /// @param width,height  of the image, px
-  /// @param columns,rows  of the grid
-  /// Each cell takes the least of 4 × 4 depths spread over it, and none when fewer than half of
-  /// them are measured. Throws InvalidValue for a size below 1, and as
-  /// `require_registered`. O(16 · columns · rows).
+  /// Each cell takes the least of 8 × 8 depths spread over it, and none when fewer than half of
+  /// them are measured. Throws InvalidValue for a size below 1, and as `require_registered`.
+  /// O(cells · 64).
   template <typename DepthSource>
-  DepthGrid(const DepthSource& depth, int width, int height, int columns = 40, int rows = 30)
-      : cell_(static_cast<double>(width) / columns, static_cast<double>(height) / rows),
-        columns_(columns),
-        rows_(rows) {
+  DepthGrid(const DepthSource& depth, int width, int height) : width_(width), height_(height) {
     static_assert(is_depth_source_v<DepthSource>,
                   "topobag: a depth source is callable as depth(Eigen::Vector2d pixel) -> "
                   "std::optional<double> metres.");
-    if (width < 1 || height < 1 || columns < 1 || rows < 1) {
-      throw InvalidValue("a depth grid needs an image and at least one cell");
-    }
+    require_size();
     require_registered(depth, width, height);
-    cells_.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) {
-        cells_.push_back(least_depth(depth, Eigen::Vector2d(column, row)));
-      }
+    for (std::size_t cell = 0; cell < levels_.size(); ++cell) {
+      const auto column = static_cast<double>(cell % columns);
+      const auto row = static_cast<double>(cell / columns);
+      levels_[cell] = level_of(least_depth(depth, {column, row}));
     }
   }
 
-  /// How far one can see at least in the cell of a pixel, m; nothing where that is not measured or
-  /// outside the image. A depth source itself. O(1).
+  /// As `levels()` kept it. Throws InvalidValue for an image's size below 1.
+  DepthGrid(const Levels& levels, int width, int height)
+      : width_(width), height_(height), levels_(levels) {
+    require_size();
+  }
+
+  /// Of the image, px.
+  int width() const noexcept { return width_; }
+  /// Of the image, px.
+  int height() const noexcept { return height_; }
+  /// All that is kept of the depths.
+  const Levels& levels() const noexcept { return levels_; }
+
+  /// How far one can see at least in the cell of a pixel, m, to the eighth of an octave below;
+  /// nothing where that is not measured or outside the image. A depth source itself. O(1).
   std::optional<double> operator()(const Eigen::Vector2d& pixel) const noexcept {
-    const Eigen::Vector2d place = (pixel.array() + 0.5) / cell_.array();
+    const Eigen::Vector2d place = (pixel.array() + 0.5) / cell_size().array();
     // Written so that NaN fails as well.
-    if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.x() < columns_ && place.y() < rows_)) {
+    if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.x() < columns && place.y() < rows)) {
       return std::nullopt;
     }
-    const auto column = static_cast<std::size_t>(place.x());
-    const auto row = static_cast<std::size_t>(place.y());
-    const float metres = cells_[row * static_cast<std::size_t>(columns_) + column];
-    if (!(metres > 0.0F)) return std::nullopt;
-    return static_cast<double>(metres);
+    const auto cell =
+        static_cast<std::size_t>(place.y()) * columns + static_cast<std::size_t>(place.x());
+    if (levels_[cell] == 0) return std::nullopt;
+    return least_metres * std::exp2((levels_[cell] - 1.0) / levels_per_octave);
   }
 
  private:
-  static constexpr int samples = 4;  // a side
+  static constexpr int samples = 8;  // a side
 
+  void require_size() const {
+    if (width_ < 1 || height_ < 1) throw InvalidValue("a depth grid needs an image");
+  }
+
+  Eigen::Vector2d cell_size() const noexcept {  // px
+    return {static_cast<double>(width_) / columns, static_cast<double>(height_) / rows};
+  }
+
+  /// Of the cell at that column and row, m; 0 = not measured.
   template <typename DepthSource>
-  float least_depth(const DepthSource& depth, const Eigen::Vector2d& cell) const {
+  double least_depth(const DepthSource& depth, const Eigen::Vector2d& cell) const {
     double least = std::numeric_limits<double>::infinity();
     int measured = 0;
     for (int i = 0; i < samples * samples; ++i) {
       const Eigen::Vector2d within((i % samples + 0.5) / samples, (i / samples + 0.5) / samples);
-      const Eigen::Vector2d pixel = (cell + within).cwiseProduct(cell_).array() - 0.5;
+      const Eigen::Vector2d pixel = (cell + within).cwiseProduct(cell_size()).array() - 0.5;
       const std::optional<double> metres = depth(pixel);
       if (!metres || !(*metres > 0.0) || !std::isfinite(*metres)) continue;
       least = std::min(least, *metres);
       ++measured;
     }
-    return 2 * measured < samples * samples ? 0.0F : static_cast<float>(least);
+    return 2 * measured < samples * samples ? 0.0 : least;
   }
 
-  Eigen::Vector2d cell_;  // px
-  int columns_;
-  int rows_;
-  std::vector<float> cells_;  // m, row by row; 0 = not measured
+  static Level level_of(double metres) {
+    if (!(metres >= least_metres)) return 0;
+    const double octaves = std::log2(metres / least_metres);
+    const double most = (1 << level_bits) - 1;
+    return static_cast<Level>(std::min(most, 1.0 + std::floor(levels_per_octave * octaves)));
+  }
+
+  int width_;
+  int height_;
+  Levels levels_{};
 };
 
 }  // namespace v0

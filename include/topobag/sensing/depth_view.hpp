@@ -50,13 +50,15 @@ void require_registered(const Depth& depth, int width, int height) {
 
 /// A depth source over the memory of a depth image, which must outlive it; nothing is copied.
 ///
-/// `Pixel` is an unsigned 16-bit integer or a floating-point type. 0, negative and non-finite
-/// values are holes; so is everything outside the image. The depth at (u, v) is the nearest
+/// `Pixel` is a 16-bit integer (signed where it is a disparity of OpenCV's matchers, in sixteenths)
+/// or a floating-point type. 0, negative and non-finite values are holes; so is everything outside
+/// the image. The depth at (u, v) is the nearest
 /// pixel's.
 template <typename Pixel>
 class DepthView {
-  static_assert(std::is_same_v<Pixel, std::uint16_t> || std::is_floating_point_v<Pixel>,
-                "topobag: DepthView reads 16-bit unsigned or floating-point depth images.");
+  static_assert(std::is_same_v<Pixel, std::uint16_t> || std::is_same_v<Pixel, std::int16_t> ||
+                    std::is_floating_point_v<Pixel>,
+                "topobag: DepthView reads 16-bit or floating-point depth images.");
 
  public:
   /// @param data          row-major pixels
@@ -118,6 +120,11 @@ DepthView<typename Derived::Scalar> depth_view(const Eigen::PlainObjectBase<Deri
   return {image.derived().data(), static_cast<int>(image.cols()), static_cast<int>(image.rows()),
           depth_scale};
 }
+
+/// Not of a matrix that is gone when the view is read.
+template <typename Derived>
+DepthView<typename Derived::Scalar> depth_view(const Eigen::PlainObjectBase<Derived>&& image,
+                                               double depth_scale) = delete;
 
 /// The same over a map. Throws InvalidValue when a row has gaps.
 template <typename Plain, int Options, typename Stride>

@@ -16,7 +16,8 @@ inline namespace v0 {
 /// A depth source over the disparities of a rectified stereo pair: Z = f · b / d.
 ///
 /// @tparam Disparity  callable `pixel -> std::optional<double>`, px; a `DepthView` of a disparity
-///                    image with its scale (16 for OpenCV's matchers) is one
+///                    image with its scale is one: `DepthView<std::int16_t>` and 16 for the CV_16S
+///                    of OpenCV's matchers
 template <typename Disparity>
 class DisparityDepth {
   static_assert(is_depth_source_v<Disparity>,

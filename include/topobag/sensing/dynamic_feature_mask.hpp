@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -11,6 +14,7 @@
 #include <topobag/error.hpp>
 #include <topobag/sensing/depth_view.hpp>
 #include <topobag/types/class_catalog.hpp>
+#include <topobag/types/detection.hpp>
 #include <topobag/types/ranged_detection.hpp>
 
 namespace topobag {
@@ -38,22 +42,32 @@ struct DynamicFeatureOptions {
 /// unknown.
 class DynamicFeatureMask {
  public:
-  /// @param detections  of the image, as `range_detections` gives them
+  /// @param detections  of the image: any range whose elements fit `detection_traits`; where these
+  ///                    know a depth, the background within a box is told apart
   /// @param catalog     says how readily each class moves
   /// Boxes that are not valid and scores that are not finite mask nothing. Throws UnknownClass with
   /// the detection's index, InvalidValue for a reach or margin below 0 or NaN.
-  DynamicFeatureMask(const std::vector<RangedDetection>& detections, const ClassCatalog& catalog,
+  template <typename Detections = std::vector<RangedDetection>>
+  DynamicFeatureMask(const Detections& detections, const ClassCatalog& catalog,
                      const DynamicFeatureOptions& options = {})
       : reach_(options.reach) {
+    using T = std::decay_t<decltype(*std::begin(detections))>;
+    using Traits = detection_traits<T>;
+    static_assert(is_detection_v<T>,
+                  "topobag: specialise topobag::detection_traits for your detection type: "
+                  "static box(const T&) -> BoundingBox, label(const T&) -> ClassId, "
+                  "confidence(const T&) -> double.");
     if (!(options.reach >= 0.0) || !(options.margin >= 0.0)) {
       throw InvalidValue("a feature mask's reach and margin must not be below 0");
     }
-    for (std::size_t i = 0; i < detections.size(); ++i) {
-      const RangedDetection& detection = detections[i];
-      detail::require_known(catalog, detection.label, i);
-      if (!detection.box.is_valid() || !(detection.confidence >= options.min_confidence)) continue;
-      if (!options.levels.contains(catalog.dynamics(detection.label))) continue;
-      Region region{detection.box, std::isfinite(detection.z) ? detection.z : 0.0};
+    std::size_t index = 0;
+    for (const T& detection : detections) {
+      const ClassId label = Traits::label(detection);
+      detail::require_known(catalog, label, index++);
+      Region region{Traits::box(detection), depth_of(detection).value_or(0.0)};
+      if (!region.box.is_valid()) continue;
+      if (!(Traits::confidence(detection) >= options.min_confidence)) continue;
+      if (!options.levels.contains(catalog.dynamics(label))) continue;
       region.box.x1 -= options.margin;
       region.box.y1 -= options.margin;
       region.box.x2 += options.margin;

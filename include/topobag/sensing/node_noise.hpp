@@ -49,13 +49,14 @@ struct NodeNoise {
   static double square(double x) { return x * x; }
 };
 
-/// The covariance of a node's position, m²: its own, or that of the default noise where it is not
-/// modelled (zero). Precondition: the node has a position.
+/// The covariance of a node's position, m²: its own, or `unmodelled`'s where it has none (zero).
+/// Precondition: the node has a position.
 template <typename Scalar>
-Eigen::Matrix3d position_covariance(const SemanticNode<Scalar>& node) {
+Eigen::Matrix3d position_covariance(const SemanticNode<Scalar>& node,
+                                    const NodeNoise& unmodelled = {}) {
   if (!node.covariance.isZero(Scalar(0))) return node.covariance.template cast<double>();
-  return NodeNoise{}.covariance(node.position->template cast<double>(),
-                                node.size.template cast<double>(), false);
+  return unmodelled.covariance(node.position->template cast<double>(),
+                               node.size.template cast<double>(), false);
 }
 
 }  // namespace v0

@@ -11,15 +11,21 @@ inline namespace v0 {
 
 /// Drops every detection that overlaps a more confident one of its class by more than `max_iou`.
 /// Most confident first, ties in the order given. O(n · kept).
-/// @param detections  a vector of `Detection`
+/// @param detections  a vector whose elements fit `detection_traits`
 template <typename Detections = std::vector<Detection>>
 Detections suppress_non_maxima(Detections detections, double max_iou) {
+  using T = typename Detections::value_type;
+  using Traits = detection_traits<T>;
+  static_assert(is_detection_v<T>,
+                "topobag: specialise topobag::detection_traits for your detection type: "
+                "static box(const T&) -> BoundingBox, label(const T&) -> ClassId, "
+                "confidence(const T&) -> double.");
   std::stable_sort(detections.begin(), detections.end(), detail::IsSurer{});
   Detections kept;
-  for (const Detection& detection : detections) {
-    const bool suppressed = std::any_of(kept.begin(), kept.end(), [&](const Detection& better) {
-      return better.label == detection.label &&
-             intersection_over_union(better.box, detection.box) > max_iou;
+  for (const T& detection : detections) {
+    const bool suppressed = std::any_of(kept.begin(), kept.end(), [&](const T& better) {
+      return Traits::label(better) == Traits::label(detection) &&
+             intersection_over_union(Traits::box(better), Traits::box(detection)) > max_iou;
     });
     if (!suppressed) kept.push_back(detection);
   }

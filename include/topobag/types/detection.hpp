@@ -51,8 +51,8 @@ namespace detail {
 /// order.
 struct IsSurer {
   template <typename D>
-  bool operator()(const D& a, const D& b) const noexcept {
-    return rank(a.confidence) > rank(b.confidence);
+  bool operator()(const D& a, const D& b) const {
+    return rank(detection_traits<D>::confidence(a)) > rank(detection_traits<D>::confidence(b));
   }
 
  private:
@@ -115,6 +115,17 @@ Appearance appearance_of(const T& detection) {
   } else {
     return {};
   }
+}
+
+/// How far away the detection says that its object is, m; nothing where `T` does not know, and for
+/// a number that is no depth: not above 0, not finite.
+template <typename T>
+std::optional<double> depth_of(const T& detection) {
+  if constexpr (is_ranged_detection_v<T>) {
+    const std::optional<double> z = detection_traits<T>::depth(detection);
+    if (z && std::isfinite(*z) && *z > 0.0) return z;
+  }
+  return std::nullopt;
 }
 
 }  // namespace v0

@@ -246,3 +246,18 @@ TEST_CASE("a sighting whose gravity says nothing is refused", "[adaptors][gravit
   seen.gravity.reset();
   CHECK(bag.observe(0, 1, seen));
 }
+
+TEST_CASE("nobody waits for a sighting that was given up", "[adaptors][regression]") {
+  small_host::KeyFrame dropped(1, 0.0, Eigen::Isometry3d::Identity()),
+      culled(2, 0.0, Eigen::Isometry3d::Identity());
+  KeyFrameBag<small_host::KeyFrame> bag({}, {});
+  bag.give_up(0, 1);
+  bag.erase(culled);
+  const std::chrono::hours for_ever{1000};
+  CHECK_FALSE(bag.graph_of(dropped, for_ever));
+  CHECK_FALSE(bag.graph_of(culled, for_ever));
+  small_host::KeyFrame late(3, 0.0, Eigen::Isometry3d::Identity());
+  std::thread loop_closing([&] { CHECK_FALSE(bag.graph_of(late, for_ever)); });
+  bag.give_up(0, 3);
+  loop_closing.join();
+}

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
 #include <topobag/adaptors/orb_slam/key_frame_register.hpp>
 
 #include "adaptors/small_host.hpp"
@@ -51,4 +60,52 @@ TEST_CASE("culled key frames stay culled until the epoch ends", "[adaptors]") {
   known.erase(1);
   CHECK(known.key_frame(1) == nullptr);
   CHECK_FALSE(known.is_sighted(1));
+}
+
+TEST_CASE("what is given up need not be waited for, and may come after all", "[adaptors]") {
+  KeyFrameRegister<KeyFrame> known;
+  CHECK_FALSE(known.is_settled(1));
+  known.give_up(1, 1);  // of another epoch
+  CHECK_FALSE(known.is_settled(1));
+  known.give_up(0, 1);
+  CHECK(known.is_settled(1));
+  CHECK_FALSE(known.is_sighted(1));
+  CHECK(known.observe(0, 1, at(0.0)));
+  CHECK(known.is_sighted(1));
+  known.erase(2);
+  CHECK(known.is_settled(2));
+  known.clear();
+  CHECK_FALSE(known.is_settled(1));
+}
+
+TEST_CASE("a window is the same whatever was sighted twice or culled", "[adaptors]") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> seconds(0.0, 20.0);
+  std::vector<std::unique_ptr<KeyFrame>> key_frames;
+  std::map<std::uint64_t, double> stamps;
+  KeyFrameRegister<KeyFrame> known;
+  for (std::uint64_t id = 0; id < 200; ++id) {
+    key_frames.push_back(std::make_unique<KeyFrame>(id, 0.0, Eigen::Isometry3d::Identity()));
+    known.add(id, key_frames.back().get());
+  }
+  for (int i = 0; i < 500; ++i) {
+    const std::uint64_t id = random() % 200;
+    if (i % 50 == 0) {
+      known.erase(id);
+      stamps.erase(id);
+    } else if (const double stamp = std::round(seconds(random)); known.observe(0, id, at(stamp))) {
+      stamps[id] = stamp;
+    }
+  }
+  for (const auto& [id, stamp] : stamps) {
+    std::set<std::pair<double, std::uint64_t>> expected;
+    for (const auto& [other, earlier] : stamps) {
+      if (other != id && earlier <= stamp && stamp - earlier <= 3.0) expected.insert({earlier, other});
+    }
+    const auto window = known.window_of(id, key_frames[id].get(), 3.0);
+    REQUIRE(window.size() == expected.size() + 1);
+    auto next = window.begin();
+    for (const auto& member : expected) CHECK((next++)->key_frame->mnId == member.second);
+    CHECK(next->key_frame->mnId == id);
+  }
 }

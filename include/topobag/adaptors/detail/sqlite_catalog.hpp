@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <topobag/adaptors/detail/sqlite_connection.hpp>
+#include <topobag/adaptors/detail/sqlite_schema.hpp>
 #include <topobag/adaptors/detail/sqlite_statement.hpp>
 #include <topobag/error.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
@@ -15,7 +16,8 @@ inline namespace v0 {
 namespace detail {
 
 /// Writes the catalog into a map that has none, unless that is only read. Throws FormatError when
-/// the map was made with another one.
+/// the map was made with another one, or holds key frames of which nobody has said by which catalog
+/// their classes are numbered.
 inline void agree_on_catalog(SqliteConnection& connection, const ClassCatalog& catalog,
                              bool read_only) {
   const auto ours = static_cast<std::int64_t>(fingerprint(catalog));
@@ -27,6 +29,11 @@ inline void agree_on_catalog(SqliteConnection& connection, const ClassCatalog& c
                       "that it was made with");
   }
   if (read_only) return;
+  if (sqlite_number(connection, "SELECT count(*) FROM keyframe") != 0) {
+    throw FormatError(connection.path() +
+                      ": it holds key frames of which it is not said what their class numbers mean; "
+                      "open it without a catalog, or add them to a new map that has one");
+  }
   SqliteTransaction transaction(connection);
   SqliteStatement(connection, "INSERT INTO meta(key, value) VALUES('catalog', ?)")
       .bind(ours)

@@ -76,6 +76,25 @@ class SqliteFile {
   template <typename F>
   void for_each(const F& f) const {
     SqliteStatement rows(connection_, sqlite_select);
+    read(rows, f);
+  }
+  /// The same for the key frame `id`, if it is there.
+  template <typename F>
+  void for_one(KeyframeId id, const F& f) const {
+    SqliteStatement row(connection_, sqlite_select_one);
+    read(row.bind(sqlite_id(id)), f);
+  }
+
+  std::set<KeyframeId> ids() const {
+    std::set<KeyframeId> ids;
+    SqliteStatement rows(connection_, "SELECT id FROM keyframe");
+    while (rows.step()) ids.insert(KeyframeId{static_cast<std::uint64_t>(rows.integer(0))});
+    return ids;
+  }
+
+ private:
+  template <typename F>
+  void read(SqliteStatement& rows, const F& f) const {
     while (rows.step()) {
       try {
         f(read_row(rows));
@@ -87,14 +106,6 @@ class SqliteFile {
     }
   }
 
-  std::set<KeyframeId> ids() const {
-    std::set<KeyframeId> ids;
-    SqliteStatement rows(connection_, "SELECT id FROM keyframe");
-    while (rows.step()) ids.insert(KeyframeId{static_cast<std::uint64_t>(rows.integer(0))});
-    return ids;
-  }
-
- private:
   /// What a mapping run repeats is prepared once.
   SqliteStatement& prepared(std::optional<SqliteStatement>& statement, const char* sql) {
     if (!statement) statement.emplace(connection_, sql);

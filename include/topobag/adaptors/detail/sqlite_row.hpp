@@ -85,6 +85,9 @@ inline constexpr const char* sqlite_move =
 inline constexpr const char* sqlite_select =
     "SELECT id, session, stamp, label, tx, ty, tz, qx, qy, qz, qw, graph, checksum FROM keyframe"
     " ORDER BY id";
+inline constexpr const char* sqlite_select_one =
+    "SELECT id, session, stamp, label, tx, ty, tz, qx, qy, qz, qw, graph, checksum FROM keyframe"
+    " WHERE id = ?";
 
 /// Runs `sqlite_insert` or `sqlite_update` for an entry whose decoded graph is `graph`.
 template <typename Scalar>

@@ -13,8 +13,8 @@
 namespace topobag {
 inline namespace v0 {
 
-/// A depth source over a depth image, 16-bit unsigned or float, one channel; it holds on to the
-/// image's pixels.
+/// A depth source over a depth image, 16-bit or float, one channel; it holds on to the image's
+/// pixels. A disparity image of OpenCV's matchers (CV_16S, scale 16) is read for `DisparityDepth`.
 class DepthImage {
  public:
   /// @param depth_scale  value / depth_scale = metres (F of eq. 5)
@@ -23,10 +23,12 @@ class DepthImage {
     const auto stride = static_cast<std::ptrdiff_t>(image.empty() ? 0 : image.step1());
     if (image.type() == CV_16UC1) {
       integers_.emplace(image.ptr<std::uint16_t>(), image.cols, image.rows, depth_scale, stride);
+    } else if (image.type() == CV_16SC1) {
+      disparities_.emplace(image.ptr<std::int16_t>(), image.cols, image.rows, depth_scale, stride);
     } else if (image.type() == CV_32FC1) {
       floats_.emplace(image.ptr<float>(), image.cols, image.rows, depth_scale, stride);
     } else {
-      throw InvalidValue("a depth image has one channel, 16-bit unsigned or 32-bit float");
+      throw InvalidValue("a depth image has one channel, 16-bit integer or 32-bit float");
     }
   }
 
@@ -37,12 +39,14 @@ class DepthImage {
 
   /// Depth at the pixel nearest to (u, v), m. O(1).
   std::optional<double> operator()(const Eigen::Vector2d& pixel) const noexcept {
-    return integers_ ? (*integers_)(pixel) : (*floats_)(pixel);
+    if (integers_) return (*integers_)(pixel);
+    return disparities_ ? (*disparities_)(pixel) : (*floats_)(pixel);
   }
 
  private:
   cv::Mat image_;  ///< shares the pixels
   std::optional<DepthView<std::uint16_t>> integers_;
+  std::optional<DepthView<std::int16_t>> disparities_;
   std::optional<DepthView<float>> floats_;
 };
 

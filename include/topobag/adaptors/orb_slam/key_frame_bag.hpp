@@ -75,6 +75,16 @@ class KeyFrameBag {
     return true;
   }
 
+  /// Nothing will be seen in a key frame of an epoch: the detector failed, or its queue gave it up.
+  /// Who waits for it, waits no longer.
+  void give_up(std::uint64_t epoch, std::uint64_t id) {
+    {
+      const Lock lock(mutex_);
+      known_.give_up(epoch, id);
+    }
+    sighted_.notify_all();
+  }
+
   /// The host has a new key frame; nothing when it is bad or was culled.
   void add(KeyFrame& key_frame) {
     if (is_bad(key_frame)) return;
@@ -91,6 +101,7 @@ class KeyFrameBag {
     const std::uint64_t id = key_frame.mnId;
     Lock lock(mutex_);
     forget(id);
+    sighted_.notify_all();
     pins_.wait_for_older(lock);
   }
 
@@ -107,6 +118,7 @@ class KeyFrameBag {
     }
     lock.lock();
     for (const std::uint64_t id : gone) forget(id);
+    sighted_.notify_all();
     pins_.wait_for_older(lock);
   }
 
@@ -139,14 +151,14 @@ class KeyFrameBag {
   }
 
   /// The graph of a key frame that the caller keeps alive, added or not; nothing when its sighting
-  /// does not come within `wait`.
+  /// does not come within `wait`, and at once when it is known that it does not come.
   std::optional<Graph> graph_of(KeyFrame& key_frame, std::chrono::milliseconds wait) {
     const std::uint64_t id = key_frame.mnId;
     Lock lock(mutex_);
     const std::uint64_t epoch = known_.epoch();
-    const bool there = sighted_.wait_for(
-        lock, wait, [&] { return known_.epoch() != epoch || known_.is_sighted(id); });
-    if (!there || known_.epoch() != epoch) return std::nullopt;
+    sighted_.wait_for(lock, wait,
+                      [&] { return known_.epoch() != epoch || known_.is_settled(id); });
+    if (known_.epoch() != epoch || !known_.is_sighted(id)) return std::nullopt;
     return fuse(known_.window_of(id, &key_frame, fusing_.window), lock);
   }
 

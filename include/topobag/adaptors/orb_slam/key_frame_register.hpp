@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -22,7 +22,8 @@ struct SightedKeyFrame {
 };
 
 /// Which key frames the host has, by `mnId`, and what was seen in them. Pointer and sighting come
-/// in any order; a key frame that is culled before either came stays culled. Not synchronised.
+/// in any order; a key frame that is culled before either came stays culled. Not synchronised; every
+/// call but `clear` is O(log n), `window_of` O(log n) for each that it gives.
 template <typename KeyFrame>
 class KeyFrameRegister {
  public:
@@ -41,22 +42,31 @@ class KeyFrameRegister {
   /// False when the key frame was culled before, or is of another epoch.
   bool observe(std::uint64_t epoch, std::uint64_t id, KeyframeSighting sighting) {
     if (epoch != epoch_ || culled_.count(id) != 0) return false;
+    forget_sighting(id);
+    by_stamp_.emplace(sighting.stamp, id);
     sightings_[id] = std::make_shared<const KeyframeSighting>(std::move(sighting));
     return true;
+  }
+
+  /// Nobody will say what was seen in the key frame, unless `observe` does after all.
+  void give_up(std::uint64_t epoch, std::uint64_t id) {
+    if (epoch == epoch_ && !is_sighted(id)) given_up_.insert(id);
   }
 
   /// Forgets a key frame for this epoch, whether it was there or not.
   void erase(std::uint64_t id) {
     culled_.insert(id);
     key_frames_.erase(id);
-    sightings_.erase(id);
+    forget_sighting(id);
   }
 
   /// Forgets everything; the epoch goes up.
   void clear() {
     ++epoch_;
     culled_.clear();
+    given_up_.clear();
     key_frames_.clear();
+    by_stamp_.clear();
     sightings_.clear();
   }
 
@@ -72,30 +82,44 @@ class KeyFrameRegister {
   /// Whether it was told what was seen in the key frame.
   bool is_sighted(std::uint64_t id) const { return sightings_.count(id) != 0; }
 
+  /// Whether there is nothing to wait for: it is sighted, given up or culled.
+  bool is_settled(std::uint64_t id) const {
+    return is_sighted(id) || given_up_.count(id) != 0 || culled_.count(id) != 0;
+  }
+
   /// The sighted key frames of the last `window` s before this one, oldest first, and itself at the
-  /// end; empty when it was not sighted. `key_frame` need not be registered. O(key frames).
+  /// end; empty when it was not sighted. `key_frame` need not be registered.
   std::vector<Member> window_of(std::uint64_t id, KeyFrame* key_frame, double window) const {
     std::vector<Member> members;
     const auto own = sightings_.find(id);
     if (own == sightings_.end()) return members;
-    for (const auto& [other, pointer] : key_frames_) {
-      const auto seen = sightings_.find(other);
-      if (other == id || seen == sightings_.end()) continue;
-      const double age = own->second->stamp - seen->second->stamp;
-      if (age >= 0.0 && age <= window) members.push_back({seen->second, pointer});
+    const double stamp = own->second->stamp;
+    // From a little before: a difference of stamps is rounded.
+    auto seen = by_stamp_.lower_bound({stamp - window, 0});
+    while (seen != by_stamp_.begin() && stamp - std::prev(seen)->first <= window) --seen;
+    for (; seen != by_stamp_.end() && seen->first <= stamp; ++seen) {
+      const auto found = key_frames_.find(seen->second);
+      if (seen->second == id || found == key_frames_.end() || stamp - seen->first > window) continue;
+      members.push_back({sightings_.at(seen->second), found->second});
     }
-    std::stable_sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
-      return a.sighting->stamp < b.sighting->stamp;
-    });
     members.push_back({own->second, key_frame});
     return members;
   }
 
  private:
+  void forget_sighting(std::uint64_t id) {
+    given_up_.erase(id);
+    const auto seen = sightings_.find(id);
+    if (seen == sightings_.end()) return;
+    by_stamp_.erase({seen->second->stamp, id});
+    sightings_.erase(seen);
+  }
+
   std::uint64_t epoch_ = 0;
   std::map<std::uint64_t, KeyFrame*> key_frames_;
   std::map<std::uint64_t, std::shared_ptr<const KeyframeSighting>> sightings_;
-  std::set<std::uint64_t> culled_;
+  std::set<std::pair<double, std::uint64_t>> by_stamp_;  ///< the sighted ones: stamp, s, and id
+  std::set<std::uint64_t> given_up_, culled_;
 };
 
 }  // namespace v0

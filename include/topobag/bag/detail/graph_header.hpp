@@ -16,6 +16,7 @@ struct GraphHeader {
   bool views = false;       ///< whether they follow the edges
   bool gravity = false;     ///< whether it follows these; from version 2 on
   bool appearance = false;  ///< whether it follows these; from version 2 on
+  bool depth = false;       ///< whether it follows these, of the views; from version 2 on
 };
 
 /// Writes the header's bits.
@@ -25,6 +26,7 @@ inline void put_header(BitWriter& writer, const GraphHeader& header) {
   if (header.version < 2) return;
   writer.put(header.gravity ? 1 : 0, 1);
   writer.put(header.appearance ? 1 : 0, 1);
+  writer.put(header.depth ? 1 : 0, 1);
 }
 
 /// Reads the header's bits, all of the first byte at most, from a `BitReader` or `TrustedBits`.
@@ -37,6 +39,7 @@ GraphHeader get_header(Bits& bits) {
   if (header.version < 2) return header;
   header.gravity = bits.get(1) != 0;
   header.appearance = bits.get(1) != 0;
+  header.depth = bits.get(1) != 0;
   return header;
 }
 

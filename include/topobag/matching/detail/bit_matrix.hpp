@@ -5,18 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include <topobag/version.hpp>
+#include <topobag/platform.hpp>
 
 namespace topobag {
 inline namespace v0 {
 namespace detail {
 
 using BitWord = std::uint64_t;
-
-inline int popcount(BitWord word) noexcept { return __builtin_popcountll(word); }
-inline std::size_t lowest_bit(BitWord word) noexcept {
-  return static_cast<std::size_t>(__builtin_ctzll(word));
-}
 
 /// Rows of bits, all of one length: an adjacency matrix, or a stack of vertex sets.
 class BitMatrix {

@@ -28,10 +28,12 @@ class DistanceTable {
  public:
   /// @param vertical  the graph's, when distances are to be told by their horizontal and vertical
   /// parts; null for the whole distance
+  /// @param unmodelled  the noise of a node that has no covariance
   /// O(n²).
   template <typename Scalar>
   explicit DistanceTable(const TopologyGraph<Scalar>& graph,
-                         const Gravity<Scalar>* vertical = nullptr)
+                         const Gravity<Scalar>* vertical = nullptr,
+                         const NodeNoise& unmodelled = {})
       : size_(graph.size()), distances_(size_ * size_) {
     struct Placed {
       std::size_t node;
@@ -43,7 +45,7 @@ class DistanceTable {
     for (std::size_t i = 0; i < size_; ++i) {
       const auto& node = graph.nodes()[i];
       if (!node.position) continue;
-      const Placed here{i, node.position->template cast<double>(), position_covariance(node)};
+      const Placed here{i, node.position->template cast<double>(), position_covariance(node, unmodelled)};
       for (const Placed& there : placed) {
         Distance distance =
             vertical ? level_distance(here, there, *vertical) : distance_between(here, there);
