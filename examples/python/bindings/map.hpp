@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <topobag/bag/entry_filter.hpp>
+#include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/place_contents.hpp>
+#include <topobag/bag/query.hpp>
+#include <topobag/graph/topology_graph.hpp>
+
+namespace python {
+
+using topobag::EntryInfo;
+using topobag::KeyframeId;
+using Graph = topobag::TopologyGraph<>;
+
+/// A bag as it stands, whichever it is: one look-up is compiled for all of them. Whoever holds one
+/// keeps writers waiting, or reads a bag that does not change.
+class MapView {
+ public:
+  using Graph = python::Graph;
+  using Visit = std::function<void(KeyframeId, const EntryInfo&, const Graph&)>;
+
+  virtual ~MapView() = default;
+  virtual std::vector<topobag::Candidate> query(const Graph& graph,
+                                                const topobag::QueryOptions& options) const = 0;
+  virtual std::shared_ptr<const Graph> peek(KeyframeId id) const = 0;
+  virtual std::optional<EntryInfo> info(KeyframeId id) const = 0;
+  virtual std::vector<KeyframeId> within(const topobag::MapRegion& region) const = 0;
+  virtual std::size_t size() const = 0;
+  virtual std::size_t places() const = 0;
+  virtual std::size_t places_holding(const topobag::ClassCounts& objects,
+                                     const topobag::ClassGroups& groups) const = 0;
+  virtual void for_each(const Visit& visit) const = 0;
+
+  std::optional<Graph> find(KeyframeId id) const {
+    const auto graph = peek(id);
+    return graph ? std::make_optional(*graph) : std::nullopt;
+  }
+};
+
+/// A bag that Python holds, for any number of threads.
+class Map {
+ public:
+  virtual ~Map() = default;
+  virtual std::shared_ptr<const MapView> view() const = 0;
+  virtual void add(KeyframeId id, const Graph& graph, const EntryInfo& info) = 0;
+  virtual void update(KeyframeId id, const Graph& graph, const EntryInfo& info) = 0;
+  virtual bool erase(KeyframeId id) = 0;
+  virtual void save(const std::string& path, std::uint64_t catalog_fingerprint) const = 0;
+};
+
+/// A bag in the library's sense that refers to Python's: a recogniser's own changes with it.
+class SharedMap {
+ public:
+  using Graph = python::Graph;
+
+  explicit SharedMap(std::shared_ptr<Map> map) : map_(std::move(map)) {}
+
+  const std::shared_ptr<Map>& map() const noexcept { return map_; }
+  std::shared_ptr<const MapView> view() const { return map_->view(); }
+  std::vector<topobag::Candidate> query(const Graph& graph,
+                                        const topobag::QueryOptions& options = {}) const {
+    return view()->query(graph, options);
+  }
+  std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }
+  std::optional<EntryInfo> info(KeyframeId id) const { return view()->info(id); }
+  void add(KeyframeId id, const Graph& graph, const EntryInfo& info) { map_->add(id, graph, info); }
+
+ private:
+  std::shared_ptr<Map> map_;
+};
+
+}  // namespace python
