@@ -138,8 +138,9 @@ class MapPage {
     this.asked = true;
     requestAnimationFrame((now) => {
       this.asked = false;
-      const quick = this.pace.step(now, atRest);
+      const quick = this.pace.slow && !atRest;
       this.labels.draw(this.scene.draw(quick), quick);
+      requestAnimationFrame((next) => this.pace.add(next - now));
       clearTimeout(this.rest);
       if (quick) this.rest = setTimeout(() => this.requestDraw(true), 300);
     });
