@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <map>
-#include <optional>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <topobag/adaptors/fleet_bag.hpp>
@@ -78,4 +80,36 @@ TEST_CASE("what a robot pushes is in every follower's bag", "[fleet]") {
   CHECK(fleet.view()->info(found.front().id)->stamp == 2.5);
   CHECK(view->size() == 2);
   CHECK(fleet.refused().empty());
+}
+
+TEST_CASE("readers ask a fleet's bag while it follows", "[fleet]") {
+  if (!PostgresServer::is_installed()) return;
+  std::mt19937 random(2);
+  const std::string conninfo = fleet_base();
+  PostgresStore store(conninfo);
+  const auto graph = random_graph(random, 6);
+  std::atomic<bool> done{false}, sound{true};
+  std::atomic<std::size_t> asked{0};
+  FleetBag fleet({{conninfo, {"hall"}}});
+  std::thread reader([&] {
+    for (; !done; ++asked) {
+      const auto view = fleet.view();
+      for (const Candidate& candidate : view->query(graph)) {
+        const FleetKey key = view->key(candidate.id);  // of every entry that the view shows
+        if (key.site != "hall" || value(key.keyframe) != key.session[0]) sound = false;
+      }
+    }
+  });
+  for (std::uint8_t session = 0; session < 60; ++session) {
+    FleetVersion version =
+        version_of({"hall", Uuid{1}, Uuid{session}, KeyframeId{session}}, {}, graph);
+    version.seq = 1;
+    store.append({version});
+    fleet.follow();
+  }
+  while (asked == 0) std::this_thread::yield();
+  done = true;
+  reader.join();
+  CHECK(sound);
+  CHECK(fleet.size() == 60);
 }

@@ -51,7 +51,9 @@ SavedMap read_fleet_map(const std::string& address, const topobag::ClassCatalog&
   fleet.follow();
   if (!fleet.refused().empty()) throw InputError(address, fleet.refused().front());
   const auto view = fleet.view();
-  SavedMap saved{"PostgreSQL, schema " + std::to_string(topobag::postgres_schema_version), {}, {}};
+  SavedMap saved{"PostgreSQL, schema " + std::to_string(topobag::postgres_schema_version),
+                 {},
+                 topobag::BagOfTopologyGraphs<>()};
   std::map<std::uint32_t, std::uint32_t> numbers;  // sessions by their keys, as the key frames are
   view->for_each([&](const topobag::FleetKey&, topobag::EntryInfo info, const auto& graph) {
     const auto [number, first] =

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Three robots in two sites share their places through a throw-away PostgreSQL, while this script kills
+# and restarts the server; ends with what each knows. Needs the topobag program and `postgresql`.
+#   bash examples/fleet/run.sh [FOLDER]
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+cd "$root"
+topobag=${TOPOBAG_PROGRAM:-$root/build/examples/topobag}
+bin=$(ls -d /usr/lib/postgresql/*/bin | sort -V | tail -n 1)
+folder=${1:-$(mktemp -d)}
+port=${PGPORT:-54329}
+mkdir -p "$folder/data"
+as=()
+if [ "$(id -u)" -eq 0 ]; then # PostgreSQL refuses to run as root
+  chmod 711 "$folder" && chown nobody "$folder/data"
+  as=(setpriv --reuid nobody --regid nogroup --clear-groups)
+fi
+server() { (cd / && "${as[@]}" "$bin/pg_ctl" -s -w -D "$folder/data" -l "$folder/data/log" "$@"); }
+start() { server -o "-p $port -k $folder/data -c listen_addresses=127.0.0.1" start; }
+trap 'server -m immediate stop || true; kill $(jobs -p) 2>/dev/null || true' EXIT
+
+(cd / && "${as[@]}" "$bin/initdb" -D "$folder/data" -U owner -A trust >/dev/null)
+start
+base=postgresql://owner@127.0.0.1:$port/postgres
+"$topobag" fleet init "$base?site=hall&site=yard"
+
+# Each robot maps to a file of its own; the file is its outbox, and needs no server.
+camera=517.3,516.5,318.6,255.3,640,480
+map() { "$topobag" map --nodes "examples/data/$2" --out "$folder/$1.db" --camera "$camera" ${3:+"$3"}; }
+map robot1 fr1_xyz
+map robot2 fr1_rpy
+map robot3 fr1_xyz
+
+"$topobag" fleet follow "$base?site=hall&site=yard" --seconds 25 | sed 's/^/  follower: /' &
+echo "== two robots push"
+"$topobag" fleet push --map "$folder/robot1.db" "$base?site=hall"
+"$topobag" fleet push --map "$folder/robot2.db" "$base?site=hall"
+echo "== the server is killed; the third robot can push nothing"
+server -m immediate stop
+"$topobag" fleet push --map "$folder/robot3.db" "$base?site=yard" || true
+echo "== the server is back: everybody goes on where they were"
+start
+"$topobag" fleet push --map "$folder/robot3.db" "$base?site=yard"
+"$topobag" fleet push --map "$folder/robot1.db" "$base?site=hall"
+"$topobag" fleet status "$base"
+"$topobag" info "$base?site=hall"
+"$topobag" localize --map "$base?site=hall" --query examples/data/fr1_rpy --camera "$camera"
+wait
