@@ -20,7 +20,10 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
       detect_(std::move(detect)),
       odometry_(std::move(odometry)),
       database_(settings.database, [this](const Frame& frame) { return graph_of_lost(frame); }),
-      thread_([this](const Job& job) { work(job); }, settings.thread) {}
+      thread_([this](const Job& job) { work(job); }, settings.thread,
+              [this](const Job& job, const std::string&) {
+                database_.give_up(job.epoch, job.id);  // loop closing does not wait for it
+              }) {}
 
 SemanticSlam::~SemanticSlam() { thread_.stop(); }
 

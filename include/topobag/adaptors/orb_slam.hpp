@@ -16,6 +16,7 @@
 #include <topobag/adaptors/orb_slam/drop_features.hpp>
 #include <topobag/adaptors/orb_slam/host_key_frame.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_bag.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 
 namespace topobag {
 inline namespace v0 {
