@@ -45,9 +45,12 @@ std::string in_words(const topobag::PoseWithCovariance<>& pose) {
     return std::sqrt(pose.covariance.diagonal().segment<3>(first).sum());
   };
   const double degrees = 57.29577951308232;
+  const Eigen::Vector3d t = pose.T.translation();
   std::ostringstream text;
-  text << pose.T.translation().transpose() << ' ' << q.coeffs().transpose() << ", to "
-       << deviation(0) << " m and " << degrees * deviation(3) << " degrees";
+  for (const double number : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+    text << number << ' ';
+  }
+  text << "to " << deviation(0) << " m and " << degrees * deviation(3) << " degrees";
   return text.str();
 }
 

@@ -32,8 +32,8 @@ void add_votes(std::vector<AlignmentVote>& votes, const Bag& a, const Recognitio
     const auto vote = [&](const RelativePose& pose) {
       if (pose.degenerate) return;
       const PoseWithCovariance<> T_a_camera =
-          PoseWithCovariance<>{*info->T_world_camera, {}} * pose.with_covariance();
-      const PoseWithCovariance<> T_camera_b{T_b_camera.inverse(), {}};
+          PoseWithCovariance<>{*info->T_world_camera} * pose.with_covariance();
+      const PoseWithCovariance<> T_camera_b{T_b_camera.inverse()};
       votes.push_back({id, T_b_camera, T_a_camera.T, T_a_camera * T_camera_b});
     };
     vote(*report.pose);

@@ -78,7 +78,7 @@ class Relocalizer {
     if (!recognition) return std::nullopt;
     const std::optional<EntryInfo> info = detail::stored_info(map_, recognition.accepted->id, 0);
     if (!info || !info->T_world_camera) return std::nullopt;
-    return T_world_query(recognition, {*info->T_world_camera, {}});
+    return T_world_query(recognition, PoseWithCovariance<>{*info->T_world_camera});
   }
 
   /// The same from the matched entry's pose and its covariance, as the back end knows them.
