@@ -5,6 +5,7 @@ TOPOBAG_FUZZ_CALLS says how many, TOPOBAG_FUZZ_SEED from where.
 """
 
 import os
+import re
 
 import numpy as np
 import topobag
@@ -63,6 +64,24 @@ class Calls:
             return lambda *arguments: self.random.choice([0.5, 2.0])
         return self.held[self.random.integers(len(self.held))]
 
+    def fitting(self, call):
+        """Arguments of the types that the call's docstring names, as far as they are held, or any."""
+        for wanted in re.findall(r"\w+: ([\w.]+)", (call.__doc__ or "").split("\n")[0])[:8]:
+            name = wanted.split(".")[-1]
+            held = [value for value in self.held if type(value).__name__ == name]
+            if name == "self" or self.random.random() < 0.1:
+                yield self.argument()
+            elif name == "ArrayLike":
+                yield near_miss(self.random) if self.random.random() < 0.7 else numbers(self.random)
+            elif name in ("int", "float"):
+                yield self.random.choice([0, 1, 3, -1, 2**40] if name == "int" else [0.0, 0.1, 5.0, -2.0, np.nan, np.inf])
+            elif held:
+                yield held[self.random.integers(len(held))]
+            elif hasattr(getattr(topobag, name, None), "__fields__"):
+                yield getattr(topobag, name)()
+            else:
+                yield self.argument()
+
     def one(self):
         random = self.random
         if random.random() < 0.4:
@@ -75,7 +94,14 @@ class Calls:
             if not callable(attribute):
                 return attribute
             call = attribute
-        result = call(*[self.argument() for _ in range(random.integers(0, 5))])
+        if random.random() < 0.3:
+            arguments = [self.argument() for _ in range(random.integers(0, 5))]
+        else:
+            arguments = list(self.fitting(call))
+            if isinstance(getattr(call, "__self__", None), tuple({type(value) for value in self.held})):
+                arguments = arguments[1:]  # itself
+            arguments = arguments[: len(arguments) - int(random.integers(0, 2))]
+        result = call(*arguments)
         if type(result).__module__.endswith("_topobag") and len(self.held) < 200:
             self.held.append(result)
         return result
