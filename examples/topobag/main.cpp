@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
   program::add_nodes_command(app);
   program::add_similarity_command(app);
   program::add_trajectory_command(app);
+  program::add_view_command(app);
   try {
     app.parse(argc, argv);
     if (!std::cout.flush()) return fail("the output cannot be written");

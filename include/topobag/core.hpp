@@ -91,6 +91,7 @@
 #include <topobag/recognition/temporal_consistency.hpp>
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
+#include <topobag/recognition/why.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
@@ -105,6 +106,7 @@
 #include <topobag/sensing/pinhole_camera.hpp>
 #include <topobag/sensing/range_detections.hpp>
 #include <topobag/sensing/same_object.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/sensing/sparse_depth.hpp>
 #include <topobag/similarity/affinity_cosine.hpp>
 #include <topobag/similarity/class_histogram.hpp>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <topobag/recognition/explain.hpp>
+#include <topobag/recognition/relocalizer.hpp>
 
 #include "catch.hpp"
 #include "matching/layouts.hpp"
@@ -232,4 +234,30 @@ TEST_CASE("an explanation says what the matched objects' looks are worth",
     ++compared;
   }
   CHECK(compared > 0);
+}
+
+TEST_CASE("an explanation tells of so many candidates, the accepted one among them",
+          "[recognition]") {
+  std::mt19937 random(31);
+  const SyntheticRoom room(4, 8, 6);
+  Relocalizer<> relocalizer;
+  for (std::uint64_t id = 0; id < 30; ++id) {
+    const Eigen::Isometry3d camera = random_camera(random);
+    relocalizer.map().add(KeyframeId{id}, room.seen_from(camera), standing_at(camera));
+  }
+  const auto query = room.seen_from(random_camera(random));
+  const Recognition found = relocalizer.localize(query);
+  REQUIRE(found);
+  const auto told = [&](std::size_t most) {
+    return explain(found, relocalizer.map(), query, ClassCatalog::coco80(), relocalizer.options(),
+                   most)
+        .candidates;
+  };
+  CHECK(told(0).empty());
+  CHECK(told(1000).size() == found.candidates.size());
+  const auto few = told(4);
+  REQUIRE(few.size() == 4);
+  CHECK(std::any_of(few.begin(), few.end(), [&](const CandidateExplanation& candidate) {
+    return candidate.id == found.accepted->id;
+  }));
 }

@@ -71,6 +71,31 @@ py::array_t<double> projected(const Camera& camera, const ArrayLike& points) {
   return pixels;
 }
 
+void bind_sensor(py::module_& module) {
+  using topobag::SensorProfile;
+  Fields<SensorProfile>(module, "SensorProfile")
+      .field("min_depth", &SensorProfile::min_depth)
+      .field("max_depth", &SensorProfile::max_depth)
+      .field("detection_range", &SensorProfile::detection_range)
+      .field("sure_range", &SensorProfile::sure_range)
+      .field("gate_deviations", &SensorProfile::gate_deviations)
+      .field("gate", &SensorProfile::gate)
+      .field("least_tolerance", &SensorProfile::least_tolerance)
+      .field("min_spread", &SensorProfile::min_spread)
+      .field("pose_resolution", &SensorProfile::pose_resolution)
+      .field("place_resolution", &SensorProfile::place_resolution)
+      .field("place_radius", &SensorProfile::place_radius)
+      .field("place_margin", &SensorProfile::place_margin)
+      .field("noise", &SensorProfile::noise)
+      .def_static("hand_held_rgbd", &SensorProfile::hand_held_rgbd,
+                  doc("SensorProfile.hand_held_rgbd"))
+      .def_static("stereo_robot", &SensorProfile::stereo_robot, doc("SensorProfile.stereo_robot"))
+      .def_static("warehouse", &SensorProfile::warehouse, doc("SensorProfile.warehouse"))
+      .def_static("lidar", &SensorProfile::lidar, doc("SensorProfile.lidar"));
+  module.def("lift_options", &topobag::lift_options, py::arg("sensor"),
+             "The defaults of LiftOptions for a sensor.");
+}
+
 void bind_lifting(py::module_& module) {
   Fields<topobag::SameObject>(module, "SameObject")
       .field("max_distance", &topobag::SameObject::max_distance)
@@ -154,6 +179,7 @@ void bind_sensing(py::module_& module) {
       .field("min_cluster_share", &RobustBoxDepth::min_cluster_share);
   Fields<CenterDepth>(module, "CenterDepth");
   bind_lifting(module);
+  bind_sensor(module);
   module.def("lift_detections", &lift, py::arg("boxes"), py::arg("labels"), py::arg("scores"),
              py::arg("depth"), py::arg("camera"),
              py::arg_v("catalog", topobag::ClassCatalog::coco80(), "ClassCatalog.coco80()"),

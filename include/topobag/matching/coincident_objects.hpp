@@ -11,14 +11,16 @@
 #include <topobag/matching/detail/one_to_one.hpp>
 #include <topobag/matching/point_pair.hpp>
 #include <topobag/matching/relative_pose.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
 /// When two objects are at one place.
 struct CoincidenceOptions {
-  double deviations = 3.0;    ///< standard deviations (of a 3-D residual) between them at most
-  double max_distance = 0.4;  ///< m
+  /// Standard deviations (of a 3-D residual) between them at most.
+  double deviations = default_sensor.gate_deviations;
+  double max_distance = default_sensor.gate;  ///< m
 };
 
 /// One-to-one pairs of objects that a pose brings together, whatever their classes: the pose's

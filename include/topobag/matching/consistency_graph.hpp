@@ -16,6 +16,7 @@
 #include <topobag/matching/detail/offered_pairs.hpp>
 #include <topobag/matching/point_pair.hpp>
 #include <topobag/matching/shared_vertical.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -26,8 +27,8 @@ struct ConsistencyOptions {
   ClassGroups classes{};        ///< same class, and what the user adds
   double max_size_ratio = 3.0;  ///< between the diagonals of two objects; a cut box shrinks
   double deviations = 2.5;      ///< standard deviations that two distances may differ by
-  double min_tolerance = 0.05;  ///< m, whatever the covariances say
-  double max_tolerance = 0.40;  ///< m
+  double min_tolerance = default_sensor.least_tolerance;  ///< m, whatever the covariances say
+  double max_tolerance = default_sensor.gate;             ///< m
   std::size_t max_pairs = 160;  ///< beyond it classes with many keep the most alike
 };
 

@@ -8,6 +8,7 @@
 #include <topobag/matching/missing_objects.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -23,14 +24,15 @@ struct MatchOptions {
   std::size_t slack = 1;  ///< cliques this much smaller than the largest are tried as well
   std::size_t max_hypotheses =
       64;  ///< cliques whose pose is worked out, largest and tightest first
-  double inlier_deviations =
-      3.0;  ///< standard deviations (of a 3-D residual) within which a pair supports a pose
-  double max_residual = 0.40;  ///< m; beyond it a pair supports no pose
-  double min_spread = 0.05;    ///< m; inliers nearer to one line leave the rotation about it open
+  /// Standard deviations (of a 3-D residual) within which a pair supports a pose.
+  double inlier_deviations = default_sensor.gate_deviations;
+  double max_residual = default_sensor.gate;  ///< m; beyond it a pair supports no pose
+  /// m; inliers nearer to one line leave the rotation about it open.
+  double min_spread = default_sensor.min_spread;
   double max_rotation_deviation =
       0.31;  ///< rad; a pose less certain about its worst axis is degenerate
-  double distinct_translation = 0.5;  ///< m; two poses further apart,
-  double distinct_rotation = 0.5;     ///< rad; or turned by more, are different
+  double distinct_translation = default_sensor.pose_resolution;  ///< m; two poses further apart,
+  double distinct_rotation = 0.5;  ///< rad; or turned by more, are different
 };
 
 }  // namespace v0

@@ -30,7 +30,7 @@ struct ViewpointPrior {
     const double turns = Eigen::AngleAxisd(R).angle() / deviation;
     // The volume of SO(3) is 8π².
     const double peak = 2.0 * two_pi * two_pi * std::pow(two_pi * deviation * deviation, -1.5);
-    return std::log10(share * peak * std::exp(-0.5 * turns * turns) + 1.0 - share);
+    return log10_mixture(peak, turns);
   }
 
   /// The same where the vertical is known, of the angle about it, rad in [0, π].
@@ -39,6 +39,13 @@ struct ViewpointPrior {
     const double two_pi = 6.283185307179586;
     const double turns = yaw / deviation;
     const double peak = std::sqrt(two_pi) / deviation;
+    return log10_mixture(peak, turns);
+  }
+
+ private:
+  /// @param peak   density of the usual views at none turned, over that of any view
+  /// @param turns  standard deviations by which the view is turned
+  double log10_mixture(double peak, double turns) const {
     return std::log10(share * peak * std::exp(-0.5 * turns * turns) + 1.0 - share);
   }
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -164,25 +165,27 @@ extern template CandidateExplanation explain_candidate(
     const ClassCatalog&, const RecognitionOptions&, std::optional<double>);
 #endif
 
-/// Why `query` was or was not recognised: for every candidate the stages it passed and failed, with
-/// numbers and objects by name.
+/// Why `query` was or was not recognised: for the best candidates the stages that each passed and
+/// failed, with numbers and objects by name. In one line: `why`.
 ///
 /// @param bag      gives the candidates' graphs by `find`; one that is gone since, or has fewer
-/// nodes
-///                 than its report speaks of, is passed over
+///                 nodes than its report speaks of, is passed over
 /// @param query    the graph that was looked up
 /// @param options  those of the look-up
+/// @param max_candidates  that are told of, in the order of the recognition's: an accepted one is
+///                        among the first, whose places were asked
 /// O(candidates · n · k).
 template <typename Bag>
 Explanation explain(const Recognition& recognition, const Bag& bag,
                     const typename Bag::Graph& query, const ClassCatalog& catalog,
-                    const RecognitionOptions& options) {
+                    const RecognitionOptions& options, std::size_t max_candidates = 8) {
   Explanation explanation;
   explanation.objects = query.size();
   explanation.usable = recognition.usable;
   const std::optional<double> best_margin =
       recognition ? std::make_optional(recognition.accepted->margin()) : std::nullopt;
   for (const CandidateReport& report : recognition.candidates) {
+    if (explanation.candidates.size() == max_candidates) break;
     const auto candidate = bag.find(report.id);
     if (!candidate || !detail::speaks_of(report, *candidate, query)) continue;
     explanation.candidates.push_back(

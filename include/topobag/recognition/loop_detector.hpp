@@ -22,8 +22,10 @@ struct LoopOptions {
 /// Recognises earlier places while a map grows.
 ///
 ///     LoopDetector<> loops;
-///     for (each key frame) if (const Recognition r = loops.detect_and_add(id, stamp, graph))
-///     close(id, r);
+///     for (each key frame) {
+///       const Recognition loop = loops.detect_and_add(id, stamp, graph);
+///       if (loop) close(id, loop);
+///     }
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class LoopDetector {
   static_assert(is_growing_bag_v<Bag_>,

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <topobag/graph/local_graph.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -14,20 +15,23 @@ struct PlaceOptions {
   std::size_t max_hypotheses = 4;  ///< best poses, each elsewhere, that are judged by their place
   std::size_t max_rivals = 16;     ///< best poses, each elsewhere, that are compared with these
   double min_score = 0.0;          ///< by one graph; below it a pose is not worth the place's time
-  double distinct_translation = 1.0;  ///< m; two camera poses in the world further apart
-  double distinct_rotation = 0.5;     ///< rad; or turned by more, are elsewhere
+  /// m; two camera poses in the world further apart, or turned by more, are elsewhere.
+  double distinct_translation = default_sensor.place_resolution;
+  double distinct_rotation = 0.5;  ///< rad
   std::uint64_t min_id_gap =
       30;  ///< without poses: ids of one session this far apart are elsewhere
 
   std::size_t max_keyframes = 12;  ///< that are fused with the candidate: the nearest to the query
-  double radius = 2.5;       ///< m around the query's camera, where the world's poses are known
-  double turn_weight = 1.0;  ///< m that a turn of one rad counts for in "nearest"
+  /// m around the query's camera, where the world's poses are known.
+  double radius = default_sensor.place_radius;
+  double turn_weight = 1.0;        ///< m that a turn of one rad counts for in "nearest"
   std::size_t max_neighbors = 3;   ///< without poses: ids before and after the candidate's
   double max_contradiction = 4.0;  ///< decades by which a place may speak against its key frame:
                                    ///< one in a thousand is put together wrongly, or has changed
-  double margin = 0.5;         ///< m from an object of the query that its place reaches at least
-  double max_depth = 8.0;      ///< m; as far as the query's cameras look
-  LocalGraphOptions fusing{};  ///< its window is not used
+  /// m from an object of the query that its place reaches at least.
+  double margin = default_sensor.place_margin;
+  double max_depth = default_sensor.detection_range;  ///< m; as far as the query's cameras look
+  LocalGraphOptions fusing{};                         ///< its window is not used
 };
 
 }  // namespace v0

@@ -38,9 +38,9 @@ using PresentView = std::decay_t<decltype(*present_view(std::declval<const Bag&>
 /// localize.
 ///
 ///     Relocalizer<> relocalizer;
-///     for (each key frame of the map) relocalizer.map().add(id, graph, {stamp, session,
-///     T_world_camera}); if (const Recognition r = relocalizer.localize(query_graph))
-///     use(r.accepted->pose->T_candidate_query);
+///     for (each key frame) relocalizer.map().add(id, graph, info);
+///     const Recognition found = relocalizer.localize(query_graph);
+///     if (found) use(found.accepted->pose->T_candidate_query);
 template <typename Bag_ = BagOfTopologyGraphs<>>
 class Relocalizer {
   static_assert(is_look_up_bag_v<detail::PresentView<Bag_>>,

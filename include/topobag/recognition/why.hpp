@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include <topobag/recognition/explanation.hpp>
+#include <topobag/recognition/recognition.hpp>
+#include <topobag/recognition/verdict.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// In one line, without its end, why a query was or was not recognised: the accepted candidate's
+/// score, or the nearest one's and what was against it. For all candidates, stage by stage:
+/// `explain`.
+/// @param name_of  how a reader knows a key frame
+inline std::string why(const Recognition& recognition, const KeyframeName& name_of = id_name) {
+  if (!recognition.usable) return "not recognised: a pose takes three objects with a position";
+  if (recognition.candidates.empty()) return "not recognised: there is nothing to compare with";
+  const CandidateReport& told =
+      recognition ? *recognition.accepted : recognition.candidates.front();
+  std::string line = recognition ? "recognised " : "not recognised; nearest is ";
+  line += name_of(told.id);
+  if (told.pose) {
+    const auto [score, asked] = detail::told_apart(told.score(), told.threshold);
+    line += ": " + std::to_string(told.pose->inliers.size()) + " objects agree, score " + score +
+            " of at least " + asked;
+  }
+  if (recognition) return line;
+  line += std::string(": ") + to_string(told.verdict);
+  if (told.rival) line += " (" + name_of(told.rival->id) + ")";
+  return line;
+}
+
+}  // namespace v0
+}  // namespace topobag
