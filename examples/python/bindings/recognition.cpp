@@ -86,8 +86,9 @@ void bind_recognition(py::module_& module) {
       .attribute("usable", &Recognition::usable)
       .attribute("places", &Recognition::places);
   recognition
-      .def("__bool__", [](const Recognition& r) { return static_cast<bool>(r); },
-           "Whether a candidate was accepted.")
+      .def(
+          "__bool__", [](const Recognition& r) { return static_cast<bool>(r); },
+          "Whether a candidate was accepted.")
       .def("__repr__", [](const Recognition& r) {
         return "<Recognition: " +
                (r ? "key frame " + std::to_string(value(r.accepted->id)) : std::string("nothing")) +

@@ -26,10 +26,9 @@ Lifted lift(const ArrayLike& boxes, const ArrayLike& labels, const std::optional
             const std::optional<ArrayLike>& appearances, const py::object& appearance_kind) {
   const py::array given = py::array::ensure(depth);
   const bool of_detections = given && given.ndim() == 1;
-  const auto detections =
-      detections_from(boxes, labels, scores,
-                      of_detections ? std::optional<ArrayLike>(depth) : std::nullopt, appearances,
-                      appearance_kind);
+  const auto detections = detections_from(
+      boxes, labels, scores, of_detections ? std::optional<ArrayLike>(depth) : std::nullopt,
+      appearances, appearance_kind);
   if (of_detections) return topobag::lift_detections(detections, camera, catalog, options);
   PyErr_Clear();
   return with_depth_view(depth, depth_scale, [&](const auto& view) {
@@ -110,24 +109,25 @@ void bind_lifting(py::module_& module) {
       .field("truncation", &NodeNoise::truncation);
   using topobag::Dynamics;
   Fields<LiftOptions>(module, "LiftOptions")
-      .field("keep",
-             [](const LiftOptions& options) {
-               std::vector<Dynamics> kept;
-               for (const Dynamics level : {Dynamics::low, Dynamics::medium, Dynamics::high}) {
-                 if (options.keep.contains(level)) kept.push_back(level);
-               }
-               return kept;
-             },
-             [](LiftOptions& options, const std::vector<Dynamics>& levels) {
-               const auto pick = [&](Dynamics level) {
-                 const bool given = std::find(levels.begin(), levels.end(), level) != levels.end();
-                 return given ? level : levels.front();
-               };
-               options.keep = levels.empty()
-                                  ? topobag::DynamicsSet{}
-                                  : topobag::DynamicsSet{pick(Dynamics::low), pick(Dynamics::medium),
-                                                         pick(Dynamics::high)};
-             })
+      .field(
+          "keep",
+          [](const LiftOptions& options) {
+            std::vector<Dynamics> kept;
+            for (const Dynamics level : {Dynamics::low, Dynamics::medium, Dynamics::high}) {
+              if (options.keep.contains(level)) kept.push_back(level);
+            }
+            return kept;
+          },
+          [](LiftOptions& options, const std::vector<Dynamics>& levels) {
+            const auto pick = [&](Dynamics level) {
+              const bool given = std::find(levels.begin(), levels.end(), level) != levels.end();
+              return given ? level : levels.front();
+            };
+            options.keep = levels.empty()
+                               ? topobag::DynamicsSet{}
+                               : topobag::DynamicsSet{pick(Dynamics::low), pick(Dynamics::medium),
+                                                      pick(Dynamics::high)};
+          })
       .field("min_confidence", &LiftOptions::min_confidence)
       .field("min_depth", &LiftOptions::min_depth)
       .field("max_depth", &LiftOptions::max_depth)

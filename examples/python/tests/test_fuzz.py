@@ -45,7 +45,9 @@ class Calls:
         self.held += [random_nodes(random, 4), FR1, topobag.IndexedBag(), topobag.BagOfTopologyGraphs()]
         self.functions = [getattr(topobag, name) for name in sorted(vars(topobag._topobag)) if name[0] != "_"]
         # Files are not made at random.
-        self.functions = [f for f in self.functions if "read" not in getattr(f, "__name__", "") and f is not topobag.SqliteBag]
+        self.functions = [
+            f for f in self.functions if "read" not in f.__name__ and f is not topobag.SqliteBag
+        ]
         self.functions += list(topobag.all_similarities([]).values())
 
     def argument(self):
@@ -74,7 +76,8 @@ class Calls:
             elif name == "ArrayLike":
                 yield near_miss(self.random) if self.random.random() < 0.7 else numbers(self.random)
             elif name in ("int", "float"):
-                yield self.random.choice([0, 1, 3, -1, 2**40] if name == "int" else [0.0, 0.1, 5.0, -2.0, np.nan, np.inf])
+                whole, real = [0, 1, 3, -1, 2**40], [0.0, 0.1, 5.0, -2.0, np.nan, np.inf]
+                yield self.random.choice(whole if name == "int" else real)
             elif held:
                 yield held[self.random.integers(len(held))]
             elif hasattr(getattr(topobag, name, None), "__fields__"):
@@ -88,8 +91,8 @@ class Calls:
             call = self.functions[random.integers(len(self.functions))]
         else:
             target = self.held[random.integers(len(self.held))]
-            names = [n for n in dir(target) if n not in ("save", "write_tum", "__class__") and not n.startswith("__init")
-                     and (n[0] != "_" or n in ("__getitem__", "__call__", "__len__", "__repr__", "__contains__"))]  # fmt: skip
+            special = ("__getitem__", "__call__", "__len__", "__repr__", "__contains__")
+            names = [n for n in dir(target) if n not in ("save", "write_tum") and (n[0] != "_" or n in special)]
             attribute = getattr(target, names[random.integers(len(names))])
             if not callable(attribute):
                 return attribute
