@@ -56,10 +56,10 @@ def main():
     print(comparison)
 
     if arguments.plot:
-        import topobag.plot
+        from topobag import plot
 
         shown = [m for m in comparison.methods[:5]] + [comparison["own: heights"]]
-        axes = topobag.plot.precision_recall({m.name: m.labelled for m in shown})
+        axes = plot.precision_recall({m.name: m.labelled for m in shown})
         axes.figure.savefig(arguments.plot, dpi=150)
         print(f"Precision-recall curves: {arguments.plot}")
 

@@ -27,7 +27,8 @@ py::array array_of(const ArrayLike& argument, const std::string& name, const std
   const py::array array = py::array::ensure(argument);
   if (!array) {
     PyErr_Clear();
-    throw topobag::InvalidValue(name + " is no array of numbers, such as nested lists of one "
+    throw topobag::InvalidValue(name +
+                                " is no array of numbers, such as nested lists of one "
                                 "length each are");
   }
   const bool fits = array.ndim() == static_cast<py::ssize_t>(shape.size()) &&

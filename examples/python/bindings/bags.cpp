@@ -35,8 +35,7 @@ std::shared_ptr<MemoryMap> memory_map(const AnySimilarityArgument& argument) {
       return std::make_shared<DefaultMap>(DefaultMap::Bag(*pairs));
     }
   } else {
-    similarity =
-        std::make_shared<const OwnSimilarity>(std::get<OwnSimilarity::Callable>(argument));
+    similarity = std::make_shared<const OwnSimilarity>(std::get<OwnSimilarity::Callable>(argument));
   }
   using Bag = MemoryMapBy<AnySimilarity>::Bag;
   return std::make_shared<MemoryMapBy<AnySimilarity>>(Bag(AnySimilarity(similarity)));
@@ -108,11 +107,11 @@ void bind_map(py::module_& module) {
           py::arg("graph"), py::arg_v("options", QueryOptions(), "QueryOptions()"), Unlocked(),
           doc("BagOfTopologyGraphs.query"))
       .def(
-          "find", [](const Map& bag, KeyframeId id) { return bag.view()->find(id); },
-          py::arg("id"), Unlocked(), doc("BagOfTopologyGraphs.find"))
+          "find", [](const Map& bag, KeyframeId id) { return bag.view()->find(id); }, py::arg("id"),
+          Unlocked(), doc("BagOfTopologyGraphs.find"))
       .def(
-          "info", [](const Map& bag, KeyframeId id) { return bag.view()->info(id); },
-          py::arg("id"), Unlocked(), doc("BagOfTopologyGraphs.info"))
+          "info", [](const Map& bag, KeyframeId id) { return bag.view()->info(id); }, py::arg("id"),
+          Unlocked(), doc("BagOfTopologyGraphs.info"))
       .def(
           "within",
           [](const Map& bag, const topobag::MapRegion& region) {
@@ -130,11 +129,13 @@ void bind_map(py::module_& module) {
           py::arg("path"), py::arg("catalog") = py::none(), Unlocked(),
           "Writes a snapshot, complete under its name or not at all; with `catalog`, it is read "
           "with no other classes.")
-      .def("__len__", [](const Map& bag) { return bag.view()->size(); }, Unlocked())
+      .def(
+          "__len__", [](const Map& bag) { return bag.view()->size(); }, Unlocked())
       .def("__iter__", [](const Map& bag) { return py::iter(py::cast(ids_of(bag))); })
-      .def("__contains__",
-           [](const Map& bag, KeyframeId id) { return bag.view()->info(id).has_value(); },
-           py::arg("id"), Unlocked())
+      .def(
+          "__contains__",
+          [](const Map& bag, KeyframeId id) { return bag.view()->info(id).has_value(); },
+          py::arg("id"), Unlocked())
       .def("__getitem__", &graph_at, py::arg("id"), Unlocked(),
            "The key frame's graph. Raises InvalidId.")
       .def("__repr__", [](const py::object& self) {
@@ -163,10 +164,9 @@ void bind_indexed(py::module_& module) {
            py::arg("max_visited") = std::numeric_limits<std::size_t>::max(), Unlocked(),
            doc("BasicBagView.search"))
       .def("memory_usage", &IndexedMap::memory_usage, doc("BasicBagView.memory_usage"))
-      .def(py::pickle([](const IndexedMap& map) { return snapshot_of(map); },
-                      [](const py::bytes& bytes) {
-                        return std::make_shared<IndexedMap>(bag_of<Bag>(bytes));
-                      }));
+      .def(py::pickle(
+          [](const IndexedMap& map) { return snapshot_of(map); },
+          [](const py::bytes& bytes) { return std::make_shared<IndexedMap>(bag_of<Bag>(bytes)); }));
 }
 
 void bind_sqlite(py::module_& module) {
@@ -174,13 +174,13 @@ void bind_sqlite(py::module_& module) {
       .field("id", &topobag::MapSession::id)
       .field("name", &topobag::MapSession::name);
   py::class_<SqliteMap, Map, std::shared_ptr<SqliteMap>>(module, "SqliteBag", doc("SqliteBag"))
-      .def(py::init([](const std::string& path, bool read_only,
-                       std::optional<ClassCatalog> catalog) {
-             topobag::SqliteOptions options;
-             options.read_only = read_only;
-             options.catalog = std::move(catalog);
-             return std::make_shared<SqliteMap>(path, std::move(options));
-           }),
+      .def(py::init(
+               [](const std::string& path, bool read_only, std::optional<ClassCatalog> catalog) {
+                 topobag::SqliteOptions options;
+                 options.read_only = read_only;
+                 options.catalog = std::move(catalog);
+                 return std::make_shared<SqliteMap>(path, std::move(options));
+               }),
            py::arg("path"), py::arg("read_only") = false, py::arg("catalog") = py::none(),
            doc("SqliteBag.SqliteBag"))
       .def("begin_session", &SqliteMap::begin_session, py::arg("name"), Unlocked(),

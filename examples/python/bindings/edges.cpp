@@ -79,11 +79,12 @@ topobag::EdgeList resolved_edges(const py::object& edges, const std::vector<Node
 
 void bind_edges(py::module_& module) {
   py::class_<EdgeBuilder>(module, "EdgeBuilder", "Joins nodes: a callable (nodes) -> m x 2 array.")
-      .def("__call__",
-           [](const py::object& self, const NodeArray& array) {
-             return pairs_of(resolved_edges(self, array.nodes));
-           },
-           py::arg("nodes"), "The pairs of node indices that it joins (m x 2), a < b, ascending.");
+      .def(
+          "__call__",
+          [](const py::object& self, const NodeArray& array) {
+            return pairs_of(resolved_edges(self, array.nodes));
+          },
+          py::arg("nodes"), "The pairs of node indices that it joins (m x 2), a < b, ascending.");
   bind_builder<topobag::CompleteEdges>(module, "CompleteEdges");
   using topobag::KnnEdges;
   bind_builder<KnnEdges>(module, "KnnEdges").field("k", &BuilderOf<KnnEdges>::k);

@@ -22,8 +22,8 @@ topobag::EdgeList edges_from(const ArrayLike& pairs);
 /// An m × 2 array of node indices.
 py::array_t<std::uint32_t> pairs_of(const topobag::EdgeList& edges);
 
-/// What a graph is made with: nothing, a builder, a callable that takes nodes and gives an array, or
-/// an array. Throws InvalidValue.
+/// What a graph is made with: nothing, a builder, a callable that takes nodes and gives an array,
+/// or an array. Throws InvalidValue.
 topobag::EdgeList resolved_edges(const py::object& edges, const std::vector<Node>& nodes);
 
 }  // namespace python

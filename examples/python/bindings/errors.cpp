@@ -65,10 +65,13 @@ void bind_errors(py::module_& module) {
   ErrorTypes& known = types();
   known.error = add_type(module, "Error", py::make_tuple(builtin(PyExc_Exception)));
   known.error.attr("index") = py::none();
-  known.invalid_value = add_type(module, "InvalidValue", below(known.error, builtin(PyExc_ValueError)));
-  known.unknown_class = add_type(module, "UnknownClass", below(known.error, builtin(PyExc_LookupError)));
+  known.invalid_value =
+      add_type(module, "InvalidValue", below(known.error, builtin(PyExc_ValueError)));
+  known.unknown_class =
+      add_type(module, "UnknownClass", below(known.error, builtin(PyExc_LookupError)));
   known.invalid_id = add_type(module, "InvalidId", below(known.error, builtin(PyExc_LookupError)));
-  known.format_error = add_type(module, "FormatError", below(known.error, builtin(PyExc_ValueError)));
+  known.format_error =
+      add_type(module, "FormatError", below(known.error, builtin(PyExc_ValueError)));
   py::register_exception_translator(&translate);
 }
 

@@ -23,8 +23,8 @@ py::dict fields_of(const py::object& self);
 /// "Name(field=value, …)" with the fields of `self`.
 std::string fields_text(const py::object& self);
 
-/// Whether what a member holds stays where it is when the member is assigned, so that Python may refer
-/// to it: not of an optional or a container.
+/// Whether what a member holds stays where it is when the member is assigned, so that Python may
+/// refer to it: not of an optional or a container.
 template <typename Member>
 inline constexpr bool stays = true;
 template <typename T>
@@ -34,8 +34,8 @@ inline constexpr bool stays<std::vector<T>> = false;
 template <typename Key, typename T>
 inline constexpr bool stays<std::map<Key, T>> = false;
 
-/// A plain struct of the library as a Python class: its members are attributes, and may all be given
-/// when it is made; it prints, copies and pickles by them.
+/// A plain struct of the library as a Python class: its members are attributes, and may all be
+/// given when it is made; it prints, copies and pickles by them.
 template <typename T, typename... Bases>
 class Fields : public py::class_<T, Bases...> {
   using Class = py::class_<T, Bases...>;
@@ -90,7 +90,8 @@ class Fields : public py::class_<T, Bases...> {
 template <typename Class>
 class Attributes {
  public:
-  Attributes(Class& type, std::string documented) : type_(type), documented_(std::move(documented)) {}
+  Attributes(Class& type, std::string documented)
+      : type_(type), documented_(std::move(documented)) {}
 
   /// A member, or what a member function without arguments gives.
   template <typename Member>

@@ -117,12 +117,13 @@ void bind_graph(py::module_& module) {
       .def("encode", &encoded, doc("encode"))
       .def_static("decode", &decoded, py::arg("bytes"), doc("decode"))
       .def(py::pickle(&encoded, &decoded))
-      .def("__array__",
-           [](const Graph& g, const py::object& dtype) {
-             const py::object O = py::cast(topobag::vertex_matrix(g));
-             return dtype.is_none() ? O : py::object(O.attr("astype")(dtype));
-           },
-           py::arg("dtype") = py::none(), doc("vertex_matrix"))
+      .def(
+          "__array__",
+          [](const Graph& g, const py::object& dtype) {
+            const py::object O = py::cast(topobag::vertex_matrix(g));
+            return dtype.is_none() ? O : py::object(O.attr("astype")(dtype));
+          },
+          py::arg("dtype") = py::none(), doc("vertex_matrix"))
       .def("__len__", &Graph::size)
       .def("__repr__", [](const Graph& g) {
         return "<TopologyGraph: " + std::to_string(g.size()) + " nodes, " +

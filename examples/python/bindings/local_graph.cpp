@@ -27,8 +27,7 @@ Sighting sighted(double stamp, const ArrayLike& boxes, const ArrayLike& labels,
 
 topobag::TopologyGraph<> fused(const LocalGraph& local, const py::object& edges) {
   if (edges.is_none()) return local.graph();
-  return local.graph(
-      [&](const std::vector<Node>& nodes) { return resolved_edges(edges, nodes); });
+  return local.graph([&](const std::vector<Node>& nodes) { return resolved_edges(edges, nodes); });
 }
 
 py::tuple objects_of(const LocalGraph& local) {

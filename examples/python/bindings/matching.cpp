@@ -32,7 +32,8 @@ Eigen::Matrix3Xd points_from(const ArrayLike& points, const char* name) {
   for (py::ssize_t i = 0; i < given.shape(0); ++i) {
     for (int k = 0; k < 3; ++k) columns(k, i) = entry(i, k);
   }
-  if (!columns.allFinite()) throw InvalidValue(std::string(name) + " holds a number that is not finite");
+  if (!columns.allFinite())
+    throw InvalidValue(std::string(name) + " holds a number that is not finite");
   return columns;
 }
 
@@ -78,16 +79,16 @@ void bind_pose(py::module_& module) {
       .attribute("missing", &RelativePose::missing)
       .attribute("missing_cost", &RelativePose::missing_cost)
       .attribute("viewpoint_odds", &RelativePose::viewpoint_odds)
-      .attribute("rotation_deviation",
-                 [](const RelativePose& p) { return p.rotation_deviation(); })
+      .attribute("rotation_deviation", [](const RelativePose& p) { return p.rotation_deviation(); })
       .attribute("support", &RelativePose::support)
       .attribute("score", &RelativePose::score);
-  pose.def("__array__",
-           [](const RelativePose& p, const py::object& dtype) {
-             const py::object T = matrix_of(p.T_candidate_query);
-             return dtype.is_none() ? T : py::object(T.attr("astype")(dtype));
-           },
-           py::arg("dtype") = py::none(), "T_candidate_query, 4 x 4.")
+  pose.def(
+          "__array__",
+          [](const RelativePose& p, const py::object& dtype) {
+            const py::object T = matrix_of(p.T_candidate_query);
+            return dtype.is_none() ? T : py::object(T.attr("astype")(dtype));
+          },
+          py::arg("dtype") = py::none(), "T_candidate_query, 4 x 4.")
       .def("__repr__", [](const RelativePose& p) {
         return "<RelativePose: score " + std::to_string(p.score()) + ", " +
                std::to_string(p.inliers.size()) + " objects>";

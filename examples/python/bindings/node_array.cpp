@@ -49,9 +49,8 @@ py::array_t<double> sizes_of(const std::vector<Node>& nodes) {
   return rows_of<double>(nodes, {2}, [](const Node& node, py::ssize_t i) { return node.size(i); });
 }
 py::array_t<double> covariances_of(const std::vector<Node>& nodes) {
-  return rows_of<double>(nodes, {3, 3}, [](const Node& node, py::ssize_t i) {
-    return node.covariance(i / 3, i % 3);
-  });
+  return rows_of<double>(
+      nodes, {3, 3}, [](const Node& node, py::ssize_t i) { return node.covariance(i / 3, i % 3); });
 }
 py::array_t<double> confidences_of(const std::vector<Node>& nodes) {
   return rows_of<double>(nodes, {}, [](const Node& node, py::ssize_t) { return node.confidence; });

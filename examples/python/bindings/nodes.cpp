@@ -94,19 +94,21 @@ void bind_nodes(py::module_& module) {
         return "<AppearanceKind " + std::to_string(kind.number()) + " of " +
                std::to_string(kind.length()) + " numbers>";
       });
-  py::class_<NodeArray> nodes(module, "Nodes",
-                              "Semantic nodes, the paper's o_i = (u, v, z, c), as columns.\n\n"
-                              "Frame: the camera of the key frame, x right, y down, z forward, m. "
-                              "A row of NaN in `positions` or `pixels` is absent; any other number "
-                              "that is not finite is refused. `z` is that of the positions where it "
-                              "is left out; a row of zeros in `appearances` is unknown. The arrays "
-                              "may have any strides, and are copied.");
+  py::class_<NodeArray> nodes(
+      module, "Nodes",
+      "Semantic nodes, the paper's o_i = (u, v, z, c), as columns.\n\n"
+      "Frame: the camera of the key frame, x right, y down, z forward, m. "
+      "A row of NaN in `positions` or `pixels` is absent; any other number "
+      "that is not finite is refused. `z` is that of the positions where it "
+      "is left out; a row of zeros in `appearances` is unknown. The arrays "
+      "may have any strides, and are copied.");
   nodes.def(py::init(&nodes_from), py::arg("labels"), py::arg("positions") = py::none(),
             py::kw_only(), py::arg("pixels") = py::none(), py::arg("z") = py::none(),
             py::arg("sizes") = py::none(), py::arg("covariances") = py::none(),
             py::arg("confidences") = py::none(), py::arg("existence") = py::none(),
             py::arg("appearances") = py::none(), py::arg("appearance_kind") = "own");
-  add_columns(nodes, [](const NodeArray& array) -> const std::vector<Node>& { return array.nodes; });
+  add_columns(nodes,
+              [](const NodeArray& array) -> const std::vector<Node>& { return array.nodes; });
   nodes.def("__len__", [](const NodeArray& array) { return array.nodes.size(); })
       .def("__getitem__", &picked, py::arg("key"), "The nodes of a slice, a mask or indices.")
       .def("__repr__", [](const NodeArray& array) {

@@ -10,8 +10,8 @@
 namespace python {
 
 [[noreturn]] inline void broken_precondition(const char* condition) {
-  throw topobag::InvalidValue(std::string("a value is outside what is defined; this has to hold: ") +
-                              condition);
+  throw topobag::InvalidValue(
+      std::string("a value is outside what is defined; this has to hold: ") + condition);
 }
 
 }  // namespace python

@@ -29,8 +29,13 @@ void bind_options(py::module_& module) {
       .field("matching", &RecognitionOptions::matching)
       .field("place", &RecognitionOptions::place)
       .field("decision", &RecognitionOptions::decision);
-  module.def("recognition_options", &recognition_options, py::arg("catalog"),
-             doc("recognition_options"));
+  module.def(
+      "recognition_options",
+      [](const ClassCatalog& catalog, const SensorProfile& sensor) {
+        return recognition_options(catalog, sensor);
+      },
+      py::arg("catalog"), py::arg_v("sensor", SensorProfile(), "SensorProfile()"),
+      "The defaults for nodes with the labels of a catalog, as a sensor sees them.");
   Fields<LoopOptions>(module, "LoopOptions")
       .field("min_gap", &LoopOptions::min_gap)
       .field("recognition", &LoopOptions::recognition);
@@ -81,8 +86,9 @@ void bind_recognition(py::module_& module) {
       .attribute("usable", &Recognition::usable)
       .attribute("places", &Recognition::places);
   recognition
-      .def("__bool__", [](const Recognition& r) { return static_cast<bool>(r); },
-           "Whether a candidate was accepted.")
+      .def(
+          "__bool__", [](const Recognition& r) { return static_cast<bool>(r); },
+          "Whether a candidate was accepted.")
       .def("__repr__", [](const Recognition& r) {
         return "<Recognition: " +
                (r ? "key frame " + std::to_string(value(r.accepted->id)) : std::string("nothing")) +

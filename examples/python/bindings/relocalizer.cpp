@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <variant>
+
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/explain.hpp>
 #include <topobag/recognition/loop_detector.hpp>
@@ -24,10 +26,12 @@ SharedMap shared(const std::shared_ptr<Map>& map, py::handle module) {
   return SharedMap(module.attr("BagOfTopologyGraphs")().cast<std::shared_ptr<Map>>());
 }
 
-/// The object that Python has of a bag.
-py::object object_of(const SharedMap& bag) {
-  if (auto memory = std::dynamic_pointer_cast<MemoryMap>(bag.map())) return py::cast(memory);
-  return py::cast(bag.map());
+using AnyBag = std::variant<std::shared_ptr<MemoryMap>, std::shared_ptr<Map>>;
+
+/// A bag as the kind of which Python knows it.
+AnyBag known_kind(const SharedMap& bag) {
+  if (auto memory = std::dynamic_pointer_cast<MemoryMap>(bag.map())) return memory;
+  return bag.map();
 }
 
 Recognition localized(const Relocalizer& relocalizer, const Graph& query, const Options& options) {
@@ -40,8 +44,7 @@ Recognition detected(const LoopDetector& loops, double stamp, const Graph& graph
                  : loops.detect(stamp, graph, session);
 }
 
-Recognition detected_and_added(LoopDetector& loops, KeyframeId id, double stamp,
-                               const Graph& graph,
+Recognition detected_and_added(LoopDetector& loops, KeyframeId id, double stamp, const Graph& graph,
                                const std::optional<Eigen::Isometry3d>& T_world_camera,
                                std::uint32_t session, std::string label) {
   return loops.detect_and_add(id, stamp, graph,
@@ -77,7 +80,7 @@ void bind_relocalizer(py::module_& module) {
            py::arg_v("options", RecognitionOptions(), "RecognitionOptions()"),
            py::arg("map") = py::none(), "`map` is referred to: what is added to it later counts.")
       .def_property_readonly(
-          "map", [](const Relocalizer& relocalizer) { return object_of(relocalizer.map()); },
+          "map", [](const Relocalizer& relocalizer) { return known_kind(relocalizer.map()); },
           doc("Relocalizer.map"))
       .def_property("options", &Relocalizer::options, &Relocalizer::set_options,
                     py::return_value_policy::copy, doc("Relocalizer.options"))
@@ -92,16 +95,15 @@ void bind_relocalizer(py::module_& module) {
            py::arg_v("options", LoopOptions(), "LoopOptions()"), py::arg("bag") = py::none(),
            "`bag` is referred to: what is added to it later counts.")
       .def_property_readonly(
-          "bag", [](const LoopDetector& loops) { return object_of(loops.bag()); },
+          "bag", [](const LoopDetector& loops) { return known_kind(loops.bag()); },
           doc("LoopDetector.bag"))
       .def_property("options", &LoopDetector::options, &LoopDetector::set_options,
                     py::return_value_policy::copy, doc("LoopDetector.options"))
       .def("detect", &detected, py::arg("stamp"), py::arg("graph"), py::arg("session") = 0,
            py::arg("options") = py::none(), Unlocked(), doc("LoopDetector.detect"))
-      .def("detect_and_add", &detected_and_added, py::arg("id"), py::arg("stamp"),
-           py::arg("graph"), py::kw_only(), py::arg("T_world_camera") = py::none(),
-           py::arg("session") = 0, py::arg("label") = "", Unlocked(),
-           doc("LoopDetector.detect_and_add"));
+      .def("detect_and_add", &detected_and_added, py::arg("id"), py::arg("stamp"), py::arg("graph"),
+           py::kw_only(), py::arg("T_world_camera") = py::none(), py::arg("session") = 0,
+           py::arg("label") = "", Unlocked(), doc("LoopDetector.detect_and_add"));
   module.def("explain", &explained, py::arg("recognition"), py::arg("bag"), py::arg("query"),
              py::arg_v("catalog", topobag::ClassCatalog::coco80(), "ClassCatalog.coco80()"),
              py::arg_v("options", RecognitionOptions(), "RecognitionOptions()"), Unlocked(),

@@ -26,10 +26,9 @@ Lifted lift(const ArrayLike& boxes, const ArrayLike& labels, const std::optional
             const std::optional<ArrayLike>& appearances, const py::object& appearance_kind) {
   const py::array given = py::array::ensure(depth);
   const bool of_detections = given && given.ndim() == 1;
-  const auto detections =
-      detections_from(boxes, labels, scores,
-                      of_detections ? std::optional<ArrayLike>(depth) : std::nullopt, appearances,
-                      appearance_kind);
+  const auto detections = detections_from(
+      boxes, labels, scores, of_detections ? std::optional<ArrayLike>(depth) : std::nullopt,
+      appearances, appearance_kind);
   if (of_detections) return topobag::lift_detections(detections, camera, catalog, options);
   PyErr_Clear();
   return with_depth_view(depth, depth_scale, [&](const auto& view) {
@@ -71,6 +70,31 @@ py::array_t<double> projected(const Camera& camera, const ArrayLike& points) {
   return pixels;
 }
 
+void bind_sensor(py::module_& module) {
+  using topobag::SensorProfile;
+  Fields<SensorProfile>(module, "SensorProfile")
+      .field("min_depth", &SensorProfile::min_depth)
+      .field("max_depth", &SensorProfile::max_depth)
+      .field("detection_range", &SensorProfile::detection_range)
+      .field("sure_range", &SensorProfile::sure_range)
+      .field("gate_deviations", &SensorProfile::gate_deviations)
+      .field("gate", &SensorProfile::gate)
+      .field("least_tolerance", &SensorProfile::least_tolerance)
+      .field("min_spread", &SensorProfile::min_spread)
+      .field("pose_resolution", &SensorProfile::pose_resolution)
+      .field("place_resolution", &SensorProfile::place_resolution)
+      .field("place_radius", &SensorProfile::place_radius)
+      .field("place_margin", &SensorProfile::place_margin)
+      .field("noise", &SensorProfile::noise)
+      .def_static("hand_held_rgbd", &SensorProfile::hand_held_rgbd,
+                  doc("SensorProfile.hand_held_rgbd"))
+      .def_static("stereo_robot", &SensorProfile::stereo_robot, doc("SensorProfile.stereo_robot"))
+      .def_static("warehouse", &SensorProfile::warehouse, doc("SensorProfile.warehouse"))
+      .def_static("lidar", &SensorProfile::lidar, doc("SensorProfile.lidar"));
+  module.def("lift_options", &topobag::lift_options, py::arg("sensor"),
+             "The defaults of LiftOptions for a sensor.");
+}
+
 void bind_lifting(py::module_& module) {
   Fields<topobag::SameObject>(module, "SameObject")
       .field("max_distance", &topobag::SameObject::max_distance)
@@ -85,24 +109,25 @@ void bind_lifting(py::module_& module) {
       .field("truncation", &NodeNoise::truncation);
   using topobag::Dynamics;
   Fields<LiftOptions>(module, "LiftOptions")
-      .field("keep",
-             [](const LiftOptions& options) {
-               std::vector<Dynamics> kept;
-               for (const Dynamics level : {Dynamics::low, Dynamics::medium, Dynamics::high}) {
-                 if (options.keep.contains(level)) kept.push_back(level);
-               }
-               return kept;
-             },
-             [](LiftOptions& options, const std::vector<Dynamics>& levels) {
-               const auto pick = [&](Dynamics level) {
-                 const bool given = std::find(levels.begin(), levels.end(), level) != levels.end();
-                 return given ? level : levels.front();
-               };
-               options.keep = levels.empty()
-                                  ? topobag::DynamicsSet{}
-                                  : topobag::DynamicsSet{pick(Dynamics::low), pick(Dynamics::medium),
-                                                         pick(Dynamics::high)};
-             })
+      .field(
+          "keep",
+          [](const LiftOptions& options) {
+            std::vector<Dynamics> kept;
+            for (const Dynamics level : {Dynamics::low, Dynamics::medium, Dynamics::high}) {
+              if (options.keep.contains(level)) kept.push_back(level);
+            }
+            return kept;
+          },
+          [](LiftOptions& options, const std::vector<Dynamics>& levels) {
+            const auto pick = [&](Dynamics level) {
+              const bool given = std::find(levels.begin(), levels.end(), level) != levels.end();
+              return given ? level : levels.front();
+            };
+            options.keep = levels.empty()
+                               ? topobag::DynamicsSet{}
+                               : topobag::DynamicsSet{pick(Dynamics::low), pick(Dynamics::medium),
+                                                      pick(Dynamics::high)};
+          })
       .field("min_confidence", &LiftOptions::min_confidence)
       .field("min_depth", &LiftOptions::min_depth)
       .field("max_depth", &LiftOptions::max_depth)
@@ -154,6 +179,7 @@ void bind_sensing(py::module_& module) {
       .field("min_cluster_share", &RobustBoxDepth::min_cluster_share);
   Fields<CenterDepth>(module, "CenterDepth");
   bind_lifting(module);
+  bind_sensor(module);
   module.def("lift_detections", &lift, py::arg("boxes"), py::arg("labels"), py::arg("scores"),
              py::arg("depth"), py::arg("camera"),
              py::arg_v("catalog", topobag::ClassCatalog::coco80(), "ClassCatalog.coco80()"),

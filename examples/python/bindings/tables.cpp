@@ -46,7 +46,8 @@ py::array_t<double> poses_of(const NodeTable& table) {
   Eigen::Isometry3d unknown;
   unknown.matrix().setConstant(std::nan(""));
   std::vector<Eigen::Isometry3d> poses;
-  for (const FrameRow& frame : table.frames) poses.push_back(frame.T_world_camera.value_or(unknown));
+  for (const FrameRow& frame : table.frames)
+    poses.push_back(frame.T_world_camera.value_or(unknown));
   return matrices_of(poses);
 }
 
@@ -92,14 +93,16 @@ void bind_table(py::module_& module) {
                              "Position among the frames of each detection's (n), ascending.")
       .def_property_readonly(
           "labels",
-          column(table_rows, [](const TableRow& row) { return topobag::value(row.detection->label); }),
+          column(table_rows,
+                 [](const TableRow& row) { return topobag::value(row.detection->label); }),
           "Class ids of the detections (n).")
       .def_property_readonly(
-          "scores", column(table_rows, [](const TableRow& row) { return row.detection->confidence; }),
+          "scores",
+          column(table_rows, [](const TableRow& row) { return row.detection->confidence; }),
           "Detector's scores in [0, 1] (n).")
-      .def_property_readonly("z",
-                             column(table_rows, [](const TableRow& row) { return row.detection->z; }),
-                             "Depths, m (n); 0 = unknown.")
+      .def_property_readonly(
+          "z", column(table_rows, [](const TableRow& row) { return row.detection->z; }),
+          "Depths, m (n); 0 = unknown.")
       .def_property_readonly(
           "boxes",
           [](const NodeTable& table) {
@@ -128,16 +131,17 @@ void bind_tables(py::module_& module) {
         return "<Keyframe " + std::to_string(keyframe.idx) + ": " +
                std::to_string(keyframe.graph.size()) + " nodes>";
       });
-  module.def("read_keyframes", &keyframes_from, py::arg("path"), py::arg("camera"), py::kw_only(),
-             py::arg("interval") = 0.4, py::arg("window") = 3.0, py::arg("min_confidence") = 0.3,
-             py::arg_v("catalog", topobag::ClassCatalog::coco80(), "ClassCatalog.coco80()"),
-             py::arg("world_up") = py::none(), py::arg("trajectory") = "",
-             py::call_guard<py::gil_scoped_release>(),
-             "The key frames of a node table with their graphs, as the program makes them: one each "
-             "`interval` s (0 = every frame), fused over `window` s (0 = single frames, with the "
-             "paper's edges), of detections with a score of `min_confidence` or more. `world_up` "
-             "tells the graphs which way is down; `trajectory` is a file of the frames' poses, "
-             "instead of the table's. The camera needs its image size. Raises Error with the file.");
+  module.def(
+      "read_keyframes", &keyframes_from, py::arg("path"), py::arg("camera"), py::kw_only(),
+      py::arg("interval") = 0.4, py::arg("window") = 3.0, py::arg("min_confidence") = 0.3,
+      py::arg_v("catalog", topobag::ClassCatalog::coco80(), "ClassCatalog.coco80()"),
+      py::arg("world_up") = py::none(), py::arg("trajectory") = "",
+      py::call_guard<py::gil_scoped_release>(),
+      "The key frames of a node table with their graphs, as the program makes them: one each "
+      "`interval` s (0 = every frame), fused over `window` s (0 = single frames, with the "
+      "paper's edges), of detections with a score of `min_confidence` or more. `world_up` "
+      "tells the graphs which way is down; `trajectory` is a file of the frames' poses, "
+      "instead of the table's. The camera needs its image size. Raises Error with the file.");
 }
 
 }  // namespace python

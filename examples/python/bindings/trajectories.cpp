@@ -136,8 +136,7 @@ void bind_errors_of_poses(py::module_& module) {
         return columns_of(pose_errors(pairs_between(truth, estimate, model, max_gap_s)));
       },
       py::arg("groundtruth"), py::arg("estimate"),
-      py::arg_v("alignment", AlignmentModel::se3, "AlignmentModel.se3"),
-      py::arg("max_gap_s") = 0.5,
+      py::arg_v("alignment", AlignmentModel::se3, "AlignmentModel.se3"), py::arg("max_gap_s") = 0.5,
       "Absolute errors of the aligned estimate: translations, m (ATE), and rotations, degrees "
       "(AOE), a pair for each pose that the truth reaches.");
   module.def(

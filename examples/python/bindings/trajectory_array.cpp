@@ -6,8 +6,8 @@
 namespace python {
 
 py::array_t<double> matrices_of(const std::vector<Eigen::Isometry3d>& poses) {
-  py::array_t<double> matrices({static_cast<py::ssize_t>(poses.size()), py::ssize_t{4},
-                                py::ssize_t{4}});
+  py::array_t<double> matrices(
+      {static_cast<py::ssize_t>(poses.size()), py::ssize_t{4}, py::ssize_t{4}});
   double* out = matrices.mutable_data();
   for (const Eigen::Isometry3d& pose : poses) {
     for (int i = 0; i < 16; ++i) *out++ = pose(i / 4, i % 4);

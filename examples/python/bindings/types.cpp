@@ -30,11 +30,12 @@ void bind_catalog(py::module_& module) {
       .def("fingerprint", &topobag::fingerprint, doc("fingerprint"))
       .def("__getitem__", &ClassCatalog::at, py::arg("name"), doc("ClassCatalog.at"))
       .def("__contains__", &ClassCatalog::contains, py::arg("id"))
-      .def("__contains__",
-           [](const ClassCatalog& catalog, const std::string& name) {
-             return catalog.find(name).has_value();
-           },
-           py::arg("name"))
+      .def(
+          "__contains__",
+          [](const ClassCatalog& catalog, const std::string& name) {
+            return catalog.find(name).has_value();
+          },
+          py::arg("name"))
       .def("__len__", &ClassCatalog::size)
       .def("__iter__",
            [](const ClassCatalog& catalog) { return py::iter(py::cast(catalog.ids())); })

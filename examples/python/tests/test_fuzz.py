@@ -5,6 +5,7 @@ TOPOBAG_FUZZ_CALLS says how many, TOPOBAG_FUZZ_SEED from where.
 """
 
 import os
+import re
 
 import numpy as np
 import topobag
@@ -44,7 +45,9 @@ class Calls:
         self.held += [random_nodes(random, 4), FR1, topobag.IndexedBag(), topobag.BagOfTopologyGraphs()]
         self.functions = [getattr(topobag, name) for name in sorted(vars(topobag._topobag)) if name[0] != "_"]
         # Files are not made at random.
-        self.functions = [f for f in self.functions if "read" not in getattr(f, "__name__", "") and f is not topobag.SqliteBag]
+        self.functions = [
+            f for f in self.functions if "read" not in f.__name__ and f is not topobag.SqliteBag
+        ]
         self.functions += list(topobag.all_similarities([]).values())
 
     def argument(self):
@@ -63,19 +66,45 @@ class Calls:
             return lambda *arguments: self.random.choice([0.5, 2.0])
         return self.held[self.random.integers(len(self.held))]
 
+    def fitting(self, call):
+        """Arguments of the types that the call's docstring names, as far as they are held, or any."""
+        for wanted in re.findall(r"\w+: ([\w.]+)", (call.__doc__ or "").split("\n")[0])[:8]:
+            name = wanted.split(".")[-1]
+            held = [value for value in self.held if type(value).__name__ == name]
+            if name == "self" or self.random.random() < 0.1:
+                yield self.argument()
+            elif name == "ArrayLike":
+                yield near_miss(self.random) if self.random.random() < 0.7 else numbers(self.random)
+            elif name in ("int", "float"):
+                whole, real = [0, 1, 3, -1, 2**40], [0.0, 0.1, 5.0, -2.0, np.nan, np.inf]
+                yield self.random.choice(whole if name == "int" else real)
+            elif held:
+                yield held[self.random.integers(len(held))]
+            elif hasattr(getattr(topobag, name, None), "__fields__"):
+                yield getattr(topobag, name)()
+            else:
+                yield self.argument()
+
     def one(self):
         random = self.random
         if random.random() < 0.4:
             call = self.functions[random.integers(len(self.functions))]
         else:
             target = self.held[random.integers(len(self.held))]
-            names = [n for n in dir(target) if n not in ("save", "write_tum", "__class__") and not n.startswith("__init")
-                     and (n[0] != "_" or n in ("__getitem__", "__call__", "__len__", "__repr__", "__contains__"))]  # fmt: skip
+            special = ("__getitem__", "__call__", "__len__", "__repr__", "__contains__")
+            names = [n for n in dir(target) if n not in ("save", "write_tum") and (n[0] != "_" or n in special)]
             attribute = getattr(target, names[random.integers(len(names))])
             if not callable(attribute):
                 return attribute
             call = attribute
-        result = call(*[self.argument() for _ in range(random.integers(0, 5))])
+        if random.random() < 0.3:
+            arguments = [self.argument() for _ in range(random.integers(0, 5))]
+        else:
+            arguments = list(self.fitting(call))
+            if isinstance(getattr(call, "__self__", None), tuple({type(value) for value in self.held})):
+                arguments = arguments[1:]  # itself
+            arguments = arguments[: len(arguments) - int(random.integers(0, 2))]
+        result = call(*arguments)
         if type(result).__module__.endswith("_topobag") and len(self.held) < 200:
             self.held.append(result)
         return result

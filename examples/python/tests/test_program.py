@@ -43,7 +43,7 @@ def text(camera):
 
 def quaternion(R):
     """Eigen's, by its own formula."""
-    trace = R[0, 0] + R[1, 1] + R[2, 2]
+    trace = R[0, 0] + (R[1, 1] + R[2, 2])  # in Eigen's order
     if trace > 0:
         root = np.sqrt(trace + 1.0)
         scale = 0.5 / root
@@ -122,7 +122,6 @@ def test_compare_over_the_sample(sample):
 
 
 def test_similarity_over_the_sample():
-    frames = [0, 30, 60]
     keyframes = {k.idx: k for k in topobag.read_keyframes(str(SAMPLE / "fr1_xyz"), FR1, interval=0, window=0)}
     frames = sorted(keyframes)[:40:13]
     program = told(
