@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node_table.hpp"
 
+#include <filesystem>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -164,6 +165,11 @@ std::string set_name(const std::string& path) {
 }
 
 NodeTable read_node_table(const std::string& set, const topobag::ClassCatalog& catalog) {
+  if (std::filesystem::is_regular_file(set) && !std::filesystem::exists(frames_file(set))) {
+    throw InputError(set,
+                     "it is no table, which is two files; name SET of SET.frames.csv and "
+                     "SET.nodes.csv");
+  }
   NodeTable table{read_frames(frames_file(set))};
   read_detections(nodes_file(set), catalog, table);
   return table;
