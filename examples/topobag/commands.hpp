@@ -18,5 +18,6 @@ void add_map_command(CLI::App& app);
 void add_nodes_command(CLI::App& app);
 void add_similarity_command(CLI::App& app);
 void add_trajectory_command(CLI::App& app);
+void add_view_command(CLI::App& app);
 
 }  // namespace program

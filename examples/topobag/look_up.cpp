@@ -139,6 +139,13 @@ topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t inde
                           run.classes.catalog, recognition_options_for(run.classes));
 }
 
+topobag::CandidateExplanation explain_accepted(const RecognitionRun& run, std::size_t index) {
+  const topobag::CandidateReport& accepted = *run.look_ups[index].recognition.accepted;
+  return topobag::explain_candidate(accepted, run.map[topobag::value(accepted.id)].graph,
+                                    run.queries[index].graph, run.classes.catalog,
+                                    recognition_options_for(run.classes), accepted.margin());
+}
+
 void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationRequest& request) {
   topobag::LoopDetector<> loops({min_gap, decided_options(run, request, min_gap)});
   run.look_ups.clear();

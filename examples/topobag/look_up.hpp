@@ -36,6 +36,9 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request = {},
 /// Precondition: the run keeps all reports.
 topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index);
 
+/// Why the candidate that was accepted for a query was. Precondition: one was.
+topobag::CandidateExplanation explain_accepted(const RecognitionRun& run, std::size_t index);
+
 /// Looks every query up among the sequence's key frames that are at least `min_gap` s older. What
 /// is learnt is learnt from the whole sequence first. Precondition: the queries are the map's key
 /// frames, or some of them in their order.

@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   program::add_nodes_command(app);
   program::add_similarity_command(app);
   program::add_trajectory_command(app);
+  program::add_view_command(app);
   app.parse_complete_callback([&app] {
     for (const CLI::App* command : app.get_subcommands()) program::require_outputs(*command);
   });

@@ -16,18 +16,6 @@
 namespace program {
 namespace {
 
-const char* to_string(topobag::PoseVerdict verdict) {
-  switch (verdict) {
-    case topobag::PoseVerdict::correct:
-      return "correct";
-    case topobag::PoseVerdict::imprecise:
-      return "imprecise";
-    case topobag::PoseVerdict::wrong:
-      return "wrong";
-  }
-  return "";
-}
-
 /// tx ty tz qx qy qz qw
 std::array<double, 7> pose_numbers(const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d t = pose.translation();
@@ -105,6 +93,18 @@ void write_sequence(std::ostream& out, const char* role, const std::string& set,
 }
 
 }  // namespace
+
+const char* to_string(topobag::PoseVerdict verdict) {
+  switch (verdict) {
+    case topobag::PoseVerdict::correct:
+      return "correct";
+    case topobag::PoseVerdict::imprecise:
+      return "imprecise";
+    case topobag::PoseVerdict::wrong:
+      return "wrong";
+  }
+  return "";
+}
 
 std::string times_text(const QueryTimes& ms) {
   std::ostringstream out;

@@ -7,6 +7,9 @@
 
 namespace program {
 
+/// In a word.
+const char* to_string(topobag::PoseVerdict verdict);
+
 /// "median 1.20 ms, mean …": what look-ups took.
 std::string times_text(const QueryTimes& ms);
 

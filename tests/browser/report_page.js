@@ -2,38 +2,14 @@
 // Opens a report in Chromium: node report_page.js REPORT.html
 // Ends with an error at the first thing that is not as it should be.
 import assert from 'node:assert/strict';
-import path from 'node:path';
 import { readFile } from 'node:fs/promises';
-import { pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
+import { look, openPage } from './open_page.js';
 
-const browser = await chromium.launch({
-  executablePath: '/usr/bin/chromium',
-  args: [
-    '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-    '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  ],
-});
-
-try {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
-  const complaints = [];
-  const requests = [];
-  page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
-  });
-  page.on('pageerror', (error) => complaints.push(error.message));
-  page.on('requestfailed', (request) => complaints.push('not loaded: ' + request.url()));
-  page.on('request', (request) => requests.push(request.url()));
-
-  const url = pathToFileURL(path.resolve(process.argv[2])).href;
-  await page.goto(url);
-
+await openPage(process.argv[2], ['--disable-gpu'], async ({ page, complaints, elsewhere }) => {
   // A drawing in every figure, and nothing from elsewhere.
   const figures = await page.locator('figure').count();
   assert.ok(figures >= 6, `only ${figures} figures`);
   assert.equal(await page.locator('figure:has(svg, canvas)').count(), figures);
-  const elsewhere = requests.filter((request) => request !== url && !request.startsWith('data:'));
   assert.deepEqual(elsewhere, []);
 
   // No text reaches beyond its drawing, and no drawing beyond the page.
@@ -70,21 +46,11 @@ try {
   assert.ok(Object.keys(json.figures).length > 0);
 
   // Light and dark.
-  const look = async (colorScheme) => {
-    await page.emulateMedia({ colorScheme });
-    const colors = await page.evaluate(() => {
-      const { color, backgroundColor } = getComputedStyle(document.body);
-      return [color, backgroundColor];
-    });
-    return { colors, picture: await page.screenshot() };
-  };
-  const light = await look('light');
-  const dark = await look('dark');
+  const light = await look(page, 'light');
+  const dark = await look(page, 'dark');
   assert.notDeepEqual(light.colors, dark.colors);
   assert.ok(!light.picture.equals(dark.picture));
 
   assert.deepEqual(complaints, []);
   console.log(`${figures} figures`);
-} finally {
-  await browser.close();
-}
+});

@@ -8,21 +8,8 @@
 namespace program {
 namespace {
 
-/// JSON for a script element, which no text in it can end.
-std::string script_json(const Json& json) {
-  std::string text;
-  for (const char c : json_text(json)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
 void write_data(std::ostream& out, const char* id, const Json& json) {
-  out << "<script type=\"application/json\" id=\"" << id << "\">" << script_json(json)
+  out << "<script type=\"application/json\" id=\"" << id << "\">" << script_text(json_text(json))
       << "</script>\n";
 }
 

@@ -9,6 +9,9 @@ namespace program {
 /// Text with the characters that HTML and SVG give a meaning replaced, in content and attributes.
 std::string escaped(std::string_view text);
 
+/// JSON for a script element, which no text in it can end.
+std::string script_text(std::string_view json);
+
 /// A number with a fixed count of decimals.
 std::string fixed_text(double value, int decimals);
 

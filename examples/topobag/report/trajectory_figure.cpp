@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "html_text.hpp"
+#include "likely_up.hpp"
 
 namespace program {
 namespace {
@@ -24,19 +26,19 @@ struct ViewFromAbove {
 
 const std::array<const char*, 3> axis_names{"x", "y", "z"};
 
-/// Cameras are mostly held upright: the world's axis nearest to the mean of their image's down is
-/// the vertical.
+/// From where the world is seen from above.
 ViewFromAbove view_of(const KnownPlaces& places) {
-  Eigen::Vector3d down = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Isometry3d> poses;
   for (const auto* trajectory : {&places.queries, &places.map}) {
-    for (const topobag::StampedPose& pose : *trajectory) down += pose.T_world_body.linear().col(1);
+    for (const topobag::StampedPose& pose : *trajectory) poses.push_back(pose.T_world_body);
   }
+  const Eigen::Vector3d up = likely_up(poses);
   Eigen::Index vertical = 0;
-  down.cwiseAbs().maxCoeff(&vertical);
+  up.cwiseAbs().maxCoeff(&vertical);
   const Eigen::Index next = (vertical + 1) % 3;
   const Eigen::Index last = (vertical + 2) % 3;
   const std::string name = axis_names[static_cast<std::size_t>(vertical)];
-  if (down[vertical] <= 0.0) return {next, last, name};
+  if (up[vertical] > 0.0) return {next, last, name};
   return {last, next, "−" + name};
 }
 

@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "html_page.hpp"
-
-namespace program {
-
-const char* const page_script = R"js(
 'use strict';
 const read = (id) => JSON.parse(document.getElementById(id).textContent);
 const report = read('report-data');
@@ -250,6 +245,3 @@ const redraw = () => views.forEach((view) => view.draw());
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
 addEventListener('beforeprint', redraw);
 addEventListener('afterprint', redraw);
-)js";
-
-}  // namespace program
