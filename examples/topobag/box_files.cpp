@@ -63,6 +63,21 @@ void require_size(const std::string& path, const CocoImage& image, const BoxRead
                              std::to_string(reading.height));
 }
 
+/// Throws where a box reaches so far beyond the camera's image that it cannot be of it.
+void require_reach(const std::string& path, const CocoImage& image, const BoxReading& reading) {
+  if (reading.width == 0) return;
+  const double most = 1.5;  // of the size: a box around a point of the border that is as wide
+  for (const Detection& detection : image.boxes) {
+    const topobag::BoundingBox& box = detection.box;
+    if (box.x2 <= most * reading.width && box.y2 <= most * reading.height) continue;
+    std::ostringstream why;
+    why << "a bbox of image '" << image.name << "' ends at " << box.x2 + 0.5 << ", " << box.y2 + 0.5
+        << " px, the camera's image at " << reading.width << ", " << reading.height
+        << "; a bbox is x, y, width, height";
+    throw InputError(path, why.str());
+  }
+}
+
 /// The names of the label files in a folder, sorted.
 std::vector<std::string> label_files(const std::string& folder) {
   std::vector<std::string> names;
@@ -87,6 +102,7 @@ ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& i
     coco = read_coco(path, reading.catalog);
     for (const CocoImage& image : coco) names.push_back(image.name);
   }
+  if (names.empty()) throw InputError(path, "it holds neither an image nor a box");
   const std::vector<std::size_t> found = ImageNames(images).find(names, path);
   ImageBoxes boxes;
   std::vector<bool> used(names.size(), false);
@@ -97,7 +113,10 @@ ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& i
       continue;
     }
     used[name] = true;
-    if (!yolo) require_size(path, coco[name], reading);
+    if (!yolo) {
+      require_size(path, coco[name], reading);
+      require_reach(path, coco[name], reading);
+    }
     of_image = yolo ? read_yolo_text((std::filesystem::path(path) / names[name]).string(), reading)
                     : coco[name].boxes;
     const auto empty = [](const Detection& detection) { return !detection.box.is_valid(); };
@@ -109,12 +128,10 @@ ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& i
     if (!used[name] && (yolo || !coco[name].boxes.empty())) ++boxes.other_images;
   }
   if (boxes.without_boxes < images.size()) return boxes;
-  throw InputError(
-      path, "it speaks of none of the sequence's " + std::to_string(images.size()) +
-                " images, but of " + std::to_string(names.size()) +
-                (names.empty() ? " others" : " others, such as '" + names.front() + '\'') +
-                "; the first is '" + std::filesystem::path(images.front()).filename().string() +
-                '\'');
+  throw InputError(path, "it speaks of none of the sequence's " + std::to_string(images.size()) +
+                             " images, but of " + std::to_string(names.size()) +
+                             " others, such as '" + names.front() + "'; the first is '" +
+                             std::filesystem::path(images.front()).filename().string() + '\'');
 }
 
 }  // namespace program

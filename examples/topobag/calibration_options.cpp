@@ -9,6 +9,7 @@
 #include "csv_reader.hpp"
 #include "input_error.hpp"
 #include "number_check.hpp"
+#include "output_files.hpp"
 
 namespace program {
 
@@ -25,7 +26,8 @@ void add_calibration_options(CLI::App& command, CalibrationArguments& arguments)
       .add_option("--other-place", arguments.other_places,
                   "Table of key frames that are certainly not of the map, to learn from")
       ->needs(calibrate);
-  command.add_option("--save-calibration", arguments.to_save, "File to write what was learnt to")
+  add_output_option(command, "--save-calibration", arguments.to_save,
+                    "File to write what was learnt to")
       ->needs(calibrate);
   command.add_option("--calibration", arguments.saved, "File of what was learnt before")
       ->excludes(calibrate);

@@ -77,6 +77,14 @@ void read_list(const Json& file, const char* list, const char* name, const Read&
   }
 }
 
+/// The name that the file gives to a category.
+const std::string& named_category(const Json& category,
+                                  const std::map<std::string, std::string>& categories) {
+  const auto called = category.is_null() ? categories.end() : categories.find(id_text(category));
+  if (called != categories.end()) return called->second;
+  throw InputError("category " + json_text(category) + " is not among the file's categories");
+}
+
 topobag::Detection detection_of(const Json& entry, topobag::ClassId label) {
   const Json& box = entry.at("bbox");
   const bool numbers = box.is_array() && box.size() == 4 &&
@@ -84,7 +92,9 @@ topobag::Detection detection_of(const Json& entry, topobag::ClassId label) {
   if (!numbers) throw InputError("bbox has to be four numbers: x, y, width, height");
   const double x = box[0], y = box[1], w = box[2], h = box[3];
   if (w < 0.0 || h < 0.0) throw InputError("bbox has a negative width or height");
-  const double score = entry.value("score", 1.0);
+  const Json scored = entry.value("score", Json(1.0));
+  if (!scored.is_number()) throw InputError("the score has to be a number in [0, 1]");
+  const double score = scored;
   if (!(score >= 0.0 && score <= 1.0)) throw InputError("the score has to lie in [0, 1]");
   return {{x - 0.5, y - 0.5, x + w - 0.5, y + h - 0.5}, label, score};
 }
@@ -105,10 +115,14 @@ void require_pixels(const std::vector<CocoImage>& images) {
 }  // namespace
 
 std::vector<CocoImage> read_coco(const std::string& path, const topobag::ClassCatalog& catalog) {
+  const std::string text = read_file(path);
   std::vector<CocoImage> images;
   std::size_t number = 0;
   try {
-    const Json file = Json::parse(read_file(path));
+    const Json file = Json::parse(text);
+    if (!file.is_array() && !file.contains("annotations")) {
+      throw InputError("it is neither COCO's list of results nor a data set with 'annotations'");
+    }
     std::map<std::string, std::size_t> image_of;
     read_list(file, "images", "file_name", [&](const std::string& id, const Json& entry) {
       image_of[id] = images.size();
@@ -119,23 +133,25 @@ std::vector<CocoImage> read_coco(const std::string& path, const topobag::ClassCa
     read_list(file, "categories", "name", [&](const std::string& id, const Json& entry) {
       categories[id] = entry.at("name").get<std::string>();
     });
+    const bool lists_images = !images.empty();
     for (const Json& entry : file.is_array() ? file : file.at("annotations")) {
       ++number;
       const std::string id = id_text(entry.at("image_id"));
       const auto [image, is_new] = image_of.emplace(id, images.size());
-      if (is_new) images.push_back({id, 0, 0, {}, false});
+      // An id that a data set does not list is the name of no image.
+      if (is_new)
+        images.push_back({lists_images ? "unlisted image_id " + id : id, 0, 0, {}, false});
       const Json& category = entry.at("category_id");
-      const auto called =
-          category.is_null() ? categories.end() : categories.find(id_text(category));
-      const topobag::ClassId label = called != categories.end() ? catalog.at(called->second)
-                                                                : numbered_class(category, catalog);
+      const topobag::ClassId label = categories.empty()
+                                         ? numbered_class(category, catalog)
+                                         : catalog.at(named_category(category, categories));
       images[image->second].boxes.push_back(detection_of(entry, label));
     }
     number = 0;
     require_pixels(images);
   } catch (const std::exception& error) {
     throw InputError(path + (number > 0 ? ", entry " + std::to_string(number) : "") + ": " +
-                     error.what());
+                     json_complaint(error));
   }
   return images;
 }

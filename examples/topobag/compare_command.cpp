@@ -222,7 +222,7 @@ void add_compare_command(CLI::App& app) {
   command
       .add_option("--verified", arguments->verified,
                   "Best answers of a similarity that are verified for a pose")
-      ->check(CLI::PositiveNumber)
+      ->check(whole_number_from(1))
       ->capture_default_str();
   command.add_option("--scores", arguments->own_scores,
                      "Also a method of your own, by its scores of the key frames: matrix or list, "

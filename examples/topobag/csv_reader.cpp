@@ -2,12 +2,14 @@
 #include "csv_reader.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <ostream>
+#include <system_error>
 
 #include <topobag/bag/atomic_file.hpp>
 #include <topobag/types/stamp.hpp>
@@ -20,6 +22,9 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::string read_file(const std::string& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw InputError(path, "it is a folder; name a file in it");
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path, "the file cannot be opened; check the path");
   std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -32,7 +37,9 @@ void write_file(const std::string& path, const std::string& text) {
   if (fs::exists(path) && !fs::is_regular_file(path) && !fs::is_directory(path)) {
     std::ofstream file(path, std::ios::binary);
     file << text << std::flush;
-    if (!file) throw InputError(path, "it cannot be written");
+    if (!file) {
+      throw InputError(path, "it cannot be written: " + std::generic_category().message(errno));
+    }
     return;
   }
   write_files({{path, text}});

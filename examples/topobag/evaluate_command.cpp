@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "number_check.hpp"
+#include "output_files.hpp"
 #include "pair_scores.hpp"
 #include "pose_files.hpp"
 #include "report/report_options.hpp"
@@ -170,16 +171,19 @@ void add_evaluate_command(CLI::App& app) {
   command.add_flag("--lower-is-better", options->lower_is_better, "The scores are distances");
   command.add_option("--k", options->report.ks, "The K of Recall@K")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
+      ->check(whole_number_from(1))
       ->capture_default_str();
   command
       .add_option("--bootstrap", resampling.resamples,
                   "Resamples of the queries for confidence intervals; 0 = none")
+      ->check(whole_number_from(0))
       ->capture_default_str();
   command.add_option("--level", options->report.level, "Of the confidence intervals")
       ->check(number_within(0.01, 0.999))
       ->capture_default_str();
-  command.add_option("--seed", resampling.seed, "Of the resamples")->capture_default_str();
+  command.add_option("--seed", resampling.seed, "Of the resamples")
+      ->check(whole_number_from(0))
+      ->capture_default_str();
   command.add_option("--against", options->against,
                      "Scores of another method: tests the difference, paired by query");
   command
@@ -191,8 +195,9 @@ void add_evaluate_command(CLI::App& app) {
       .add_option("--accept", options->accept,
                   "Score from which on a pair with a pose is an accepted loop [every pair]")
       ->check(any_number());
-  command.add_option("--curve", options->curve, "CSV to write: the precision-recall curve");
-  command.add_option("--ranks", options->ranks, "CSV to write: each query's first true answer");
+  add_output_option(command, "--curve", options->curve, "CSV to write: the precision-recall curve");
+  add_output_option(command, "--ranks", options->ranks,
+                    "CSV to write: each query's first true answer");
   add_report_options(command, options->files);
   command.add_flag("--json", options->as_json, "Print JSON");
   command.callback([options] {

@@ -12,6 +12,8 @@
 #include "explanation_json.hpp"
 #include "look_up.hpp"
 #include "match_svg.hpp"
+#include "number_check.hpp"
+#include "output_files.hpp"
 #include "recognition_options.hpp"
 
 namespace program {
@@ -97,8 +99,9 @@ void add_explain_command(CLI::App& app) {
   add_map_options(command, arguments->tables);
   add_calibration_options(command, arguments->calibration);
   command.add_option("--candidates", arguments->candidates, "Candidates to print, best first")
+      ->check(whole_number_from(0))
       ->capture_default_str();
-  command.add_option("--svg", arguments->svg, "File to draw the best candidate in");
+  add_output_option(command, "--svg", arguments->svg, "File to draw the best candidate in");
   command.add_flag("--json", arguments->json, "All candidates in JSON");
   command.callback([arguments] { explain_frame(*arguments); });
 }

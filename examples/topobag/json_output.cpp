@@ -2,6 +2,7 @@
 #include "json_output.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace program {
 namespace {
@@ -33,6 +34,13 @@ void append_lines(const Json& object, std::size_t indent, std::string& text) {
 
 std::string json_text(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string json_complaint(const std::exception& error) {
+  const std::string said = error.what();
+  const std::size_t numbering =
+      said.rfind("[json.exception.", 0) == 0 ? said.find("] ") : said.npos;
+  return numbering == said.npos ? said : said.substr(numbering + 2);
 }
 
 Json versioned(const Json& json) {

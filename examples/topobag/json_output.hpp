@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,9 @@ Json or_null(const std::optional<Value>& value) {
 /// JSON as text, in one line or indented; a byte that is no UTF-8, as in the name of a file,
 /// becomes U+FFFD.
 std::string json_text(const Json& json, int indent = -1);
+
+/// What was wrong with a JSON text or a value of it, without the parser's own numbering.
+std::string json_complaint(const std::exception& error);
 
 /// The version of the shape of all JSON that the program writes, which examples/docs describes. It
 /// rises when a key goes or changes its meaning, not when one is added.

@@ -91,18 +91,25 @@ topobag::TopologyGraph<> single_graph(topobag::KeyframeSighting seen, bool clust
                                       {std::move(seen.view)}, seen.gravity);
 }
 
-/// Throws where a box's centre lies outside the camera's image: both are not of one camera.
+/// Throws where the boxes are not in pixels, or the centre of one lies outside the camera's image:
+/// both are not of one camera.
 void require_in_image(const std::string& set, const NodeTable& table,
                       const topobag::PinholeCamera<>& camera) {
   std::size_t boxes = 0, outside = 0;
+  double furthest = 0.0;
   Eigen::Vector2d first = Eigen::Vector2d::Zero();
   for (const FrameRow& frame : table.frames) {
     for (const topobag::RangedDetection& detection : frame.detections) {
       ++boxes;
+      furthest = std::max({furthest, detection.box.x2, detection.box.y2});
       const Eigen::Vector2d center = detection.box.center();
       if (camera.in_image(center, -0.5)) continue;
       if (++outside == 1) first = center;
     }
+  }
+  if (furthest > 0.0 && furthest <= 1.0) {
+    throw InputError(set_name(set) + ".nodes.csv",
+                     "every box lies in [0, 1], as shares of the image do; a table's are in px");
   }
   if (outside == 0) return;
   std::ostringstream why;

@@ -6,6 +6,7 @@
 
 #include "fleet_address.hpp"
 #include "gravity_options.hpp"
+#include "input_error.hpp"
 #include "number_check.hpp"
 #include "progress.hpp"
 #include "saved_map.hpp"
@@ -36,6 +37,7 @@ void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize
   number("--flip", stress.flip, "Stress: probability that its class is another of the table's",
          1.0);
   command.add_option("--seed", stress.seed, "Of the stress and of the gravity's noise")
+      ->check(whole_number_from(0))
       ->capture_default_str();
   add_gravity_options(command, options.gravity);
   command.add_option("--trajectory", options.trajectory,
@@ -53,8 +55,24 @@ void add_map_options(CLI::App& command, MapAndQuery& tables) {
                      "The same as --trajectory for the map's table");
 }
 
+namespace {
+
+/// Throws where an option that is for tables goes with a saved map.
+void require_own(const MapAndQuery& tables) {
+  const bool given =
+      tables.map_camera.fx > 0.0 || tables.map_world_up || !tables.map_trajectory.empty();
+  if (!given || !is_saved_map(tables.map)) return;
+  throw InputError(
+      tables.map,
+      "it is a saved map, which has its poses, cameras and vertical: --map-trajectory, "
+      "--map-camera and --map-world-up are for tables");
+}
+
+}  // namespace
+
 RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions options,
                                   const ImageSize& image_size) {
+  require_own(tables);
   options.camera = with_size(options.camera, image_size);
   KeyframeOptions map_options = options;
   if (tables.map_camera.fx > 0.0) map_options.camera = with_size(tables.map_camera, image_size);

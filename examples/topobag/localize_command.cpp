@@ -11,6 +11,7 @@
 #include "look_up.hpp"
 #include "match_svg.hpp"
 #include "number_check.hpp"
+#include "output_files.hpp"
 #include "recognition_options.hpp"
 #include "report/recognition_page.hpp"
 
@@ -63,7 +64,7 @@ void add_localize_command(CLI::App& app) {
                   "Look a key frame up without the map's that are nearer to it, m: its own place "
                   "is then not in the map")
       ->check(number_within(0.0));
-  command.add_option("--svg", arguments->svg, "File to draw the best accepted match in");
+  add_output_option(command, "--svg", arguments->svg, "File to draw the best accepted match in");
   add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);
   command.callback([arguments] { localize(*arguments); });

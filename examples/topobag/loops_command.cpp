@@ -11,6 +11,7 @@
 #include "look_up.hpp"
 #include "match_svg.hpp"
 #include "number_check.hpp"
+#include "output_files.hpp"
 #include "recognition_options.hpp"
 #include "report/recognition_page.hpp"
 
@@ -56,7 +57,7 @@ void add_loops_command(CLI::App& app) {
       ->check(number_within(0.0))
       ->capture_default_str();
   add_recognition_options(command, arguments->recognition);
-  command.add_option("--svg", arguments->svg, "File to draw the best loop in");
+  add_output_option(command, "--svg", arguments->svg, "File to draw the best loop in");
   add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);
   command.callback([arguments] { find_loops(*arguments); });

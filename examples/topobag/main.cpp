@@ -9,6 +9,7 @@
 #include <topobag/version.hpp>
 
 #include "commands.hpp"
+#include "output_files.hpp"
 
 namespace {
 
@@ -61,6 +62,9 @@ int main(int argc, char** argv) {
   program::add_similarity_command(app);
   program::add_trajectory_command(app);
   program::add_view_command(app);
+  app.parse_complete_callback([&app] {
+    for (const CLI::App* command : app.get_subcommands()) program::require_outputs(*command);
+  });
   try {
     app.parse(argc, argv);
     if (!std::cout.flush()) return fail("the output cannot be written");

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "keyframe_options.hpp"
+#include "output_files.hpp"
 #include "saved_map.hpp"
 
 namespace program {
@@ -20,6 +21,7 @@ struct MapArguments {
 };
 
 void make_map(const MapArguments& arguments) {
+  require_folder("--out", arguments.out);
   KeyframeOptions options = arguments.keyframes;
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);

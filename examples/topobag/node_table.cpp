@@ -2,6 +2,7 @@
 #include "node_table.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -141,6 +142,11 @@ std::string set_name(const std::string& path) {
 
 std::vector<FrameRow> read_frames(const std::string& set) {
   const std::string path = frames_file(set);
+  if (std::filesystem::is_regular_file(set) && !std::filesystem::exists(path)) {
+    throw InputError(set,
+                     "it is no table, which is two files; name SET of SET.frames.csv and "
+                     "SET.nodes.csv");
+  }
   CsvReader csv(path);
   const std::size_t idx = csv.column("idx");
   const std::size_t frame = csv.column("frame");

@@ -20,6 +20,7 @@
 #include "name_check.hpp"
 #include "number_check.hpp"
 #include "object_classes.hpp"
+#include "output_files.hpp"
 #include "progress.hpp"
 
 namespace program {
@@ -111,10 +112,7 @@ std::string text_of(const NodesOptions& options) {
 
 void make_nodes(const NodesOptions& options) {
   const topobag::ClassCatalog& catalog = options.classes.catalog;
-  const std::filesystem::path folder = std::filesystem::path(options.out).parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-    throw InputError("--out " + options.out, "the folder does not exist; make it first");
-  }
+  require_folder("--out", options.out);
   DetectionSource source{
       options.model,
       options.yolo,
@@ -140,6 +138,12 @@ void make_nodes(const NodesOptions& options) {
     throw InputError(options.model + options.boxes, "there is no detection in the " +
                                                         std::to_string(tally.frames) +
                                                         " images; left out: " + left_out);
+  }
+  if (tally.dropped.out_of_range > 0 &&
+      tally.dropped.out_of_range + tally.dropped.no_depth == tally.detections) {
+    throw InputError("--depth-scale", "none of the " + std::to_string(tally.detections) +
+                                          " detections has a depth in range; give the depth value "
+                                          "that means one metre");
   }
   write_node_table(options.out, detected.table, catalog);
   checkpoint.remove();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -34,6 +35,17 @@ inline CLI::Validator number_within(double min,
 /// A number above 0; CLI::PositiveNumber lets NaN pass.
 inline CLI::Validator number_above_zero() {
   return finite_number("(0, inf)", [](double number) { return number > 0.0; });
+}
+
+/// A whole number from `min` on; CLI11 reads -1 as the largest number without a sign.
+inline CLI::Validator whole_number_from(std::int64_t min) {
+  const std::string range = "[" + std::to_string(min) + ", inf)";
+  return {[range, min](std::string& text) {
+            const std::optional<std::int64_t> number = topobag::parse_whole(text);
+            return number && *number >= min ? std::string()
+                                            : "'" + text + "' is not a whole number in " + range;
+          },
+          range};
 }
 
 /// Any number; without a check NaN would be one.

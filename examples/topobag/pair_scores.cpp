@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <topobag/evaluation/npy_matrix.hpp>
+#include <topobag/evaluation/protocol_text.hpp>
 
 #include "input_error.hpp"
 
@@ -36,14 +37,17 @@ PairScores read_pair_scores(const std::string& path, bool lower_is_better) {
 
 topobag::LabelledScores label_scores(const PairScores& scores, const topobag::PlaceTruth& truth,
                                      const std::string& path) {
+  topobag::LabelledScores labelled;
   try {
-    if (const auto* const matrix = std::get_if<topobag::ScoreMatrix>(&scores)) {
-      return topobag::label_scores(*matrix, truth);
-    }
-    return topobag::label_scores(std::get<topobag::ScoreList>(scores).pairs, truth);
+    const auto* const matrix = std::get_if<topobag::ScoreMatrix>(&scores);
+    labelled = matrix ? topobag::label_scores(*matrix, truth)
+                      : topobag::label_scores(std::get<topobag::ScoreList>(scores).pairs, truth);
   } catch (const topobag::Error& error) {
     throw InputError(path, error.what());
   }
+  if (!labelled.scores.empty()) return labelled;
+  throw InputError(path, "none of its scores is of a pair that the protocol " +
+                             topobag::to_string(truth.protocol()) + " calls true or false");
 }
 
 }  // namespace program

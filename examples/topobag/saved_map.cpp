@@ -96,6 +96,9 @@ enum class MapKind { sqlite, snapshot };
 MapKind kind_of(const std::string& path) {
   if (fs::is_directory(path)) throw InputError(path, "it is a folder; name the map in it");
   std::ifstream file(path, std::ios::binary);
+  if (!file && fs::exists(path + ".frames.csv")) {
+    throw InputError(path, "it is a table, no map; `topobag map` makes one of it");
+  }
   if (!file) throw InputError(path, "the file cannot be opened; check the path");
   std::string beginning(16, '\0');
   file.read(beginning.data(), 16);
@@ -174,9 +177,6 @@ void write_new_map(const std::string& path, const SavedMap& map,
 
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options) {
   if (!is_saved_map(map)) return read_keyframes(map, options);
-  if (!options.trajectory.empty()) {
-    throw InputError(map, "it is a saved map, which has its poses: --map-trajectory is for tables");
-  }
   const SavedMap saved = read_saved_map(map, options.classes.catalog);
   std::map<std::uint32_t, SavedSession> sessions;
   for (const SavedSession& session : saved.sessions) sessions[session.id] = session;

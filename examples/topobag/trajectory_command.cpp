@@ -15,6 +15,7 @@
 #include "json_output.hpp"
 #include "name_check.hpp"
 #include "number_check.hpp"
+#include "output_files.hpp"
 #include "pose_files.hpp"
 #include "trajectory_report.hpp"
 
@@ -180,7 +181,7 @@ void add_trajectory_command(CLI::App& app) {
       ->transform(one_of(step_unit_names));
   command.add_flag("--rpe-consecutive", options->rpe_consecutive,
                    "Steps end to end instead of from every pose");
-  command.add_option("--errors", options->errors, "CSV to write: the errors of every pose");
+  add_output_option(command, "--errors", options->errors, "CSV to write: the errors of every pose");
   command.add_flag("--json", options->as_json, "Print JSON");
   command.callback([options] {
     options->step.all_starts = !options->rpe_consecutive;

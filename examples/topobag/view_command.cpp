@@ -12,6 +12,7 @@
 #include "keyframe_options.hpp"
 #include "look_up.hpp"
 #include "number_check.hpp"
+#include "output_files.hpp"
 #include "saved_map.hpp"
 #include "view/map_view.hpp"
 #include "view/view_page.hpp"
@@ -78,7 +79,7 @@ void add_view_command(CLI::App& app) {
       .add_option("map", arguments->tables.map,
                   "Table (MAP.frames.csv, MAP.nodes.csv), or what `map` made of one")
       ->required();
-  command.add_option("--out", arguments->out, "HTML page to write")->required();
+  add_output_option(command, "--out", arguments->out, "HTML page to write")->required();
   CLI::Option* query = command.add_option("--query", arguments->tables.query,
                                           "Table whose key frames are looked up in the map");
   command.add_flag("--loops", arguments->loops, "Look for where the map comes back to a place")

@@ -123,3 +123,21 @@ TEST_CASE("a COCO file's boxes go to the sequence's images", "[examples]") {
   CHECK(error_in(folder, [&] { read(larger, {"a.png"}); }) ==
         "larger.json: image 'a.png' is 1280 x 960 px, the camera's 640 x 480");
 }
+
+TEST_CASE("COCO boxes by their corners, and files without a box, are refused",
+          "[examples][regression]") {
+  const ScratchFolder folder;
+  const auto complaint = [&](const std::string& box) {
+    folder.write("r.json", R"([{"image_id": "a", "category_id": 72, "bbox": )" + box + "}]");
+    return error_in(folder, [&] { read(folder.path("r.json"), {"a.png"}); });
+  };
+  CHECK(complaint("[500, 300, 620, 400]") ==
+        "r.json: a bbox of image 'a' ends at 1120, 700 px, the camera's image at 640, 480; a bbox "
+        "is x, y, width, height");
+  CHECK(complaint("[500, 300, 200, 200]") == "nothing was thrown");  // partly outside
+  for (const std::string text : {"[]", R"({"annotations": []})"}) {
+    folder.write("empty.json", text);
+    CHECK(error_in(folder, [&] { read(folder.path("empty.json"), {"a.png"}); }) ==
+          "empty.json: it holds neither an image nor a box");
+  }
+}

@@ -98,7 +98,7 @@ TEST_CASE("a false-accept rate is a share, and needs no calibration", "[examples
 }
 
 TEST_CASE("calibration options that do not fit are refused", "[examples]") {
-  const std::string command = "localize --map a --query b --camera 5,5,3,2 ";
+  const std::string command = "localize --map a --query b --camera 500,500,320,240 ";
   CHECK(refusal(command + "--other-place c").find("--calibrate") != std::string::npos);
   CHECK(refusal(command + "--save-calibration c").find("--calibrate") != std::string::npos);
   CHECK(refusal(command + "--calibrate --calibration c").find("--calibrat") != std::string::npos);

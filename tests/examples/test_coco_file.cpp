@@ -84,7 +84,30 @@ TEST_CASE("a COCO box or score of another kind is refused with its entry", "[exa
         "f.json, entry 1: bbox has a negative width or height");
   CHECK(coco_complaint(result("72", "[0.4, 0.35, 0.2, 0.3]")).find("as shares of the image do") !=
         std::string::npos);
-  CHECK(coco_complaint("{\"annotations\": [").find("f.json: ") == 0);
+  CHECK(coco_complaint(result("1", "[1, 2, 3, 4]", "\"0.9\"")) ==
+        "f.json, entry 1: the score has to be a number in [0, 1]");
+}
+
+TEST_CASE("what is no COCO file is refused in words of its own", "[examples][regression]") {
+  const std::string neither =
+      "f.json: it is neither COCO's list of results nor a data set with 'annotations'";
+  CHECK(coco_complaint("{}") == neither);
+  CHECK(coco_complaint(R"({"predictions": [{"x": 1}]})") == neither);
+  CHECK(coco_complaint(R"({"image_id": 1})") == neither);
+  CHECK(coco_complaint("{\"annotations\": [").find("f.json: parse error at line 1") == 0);
+  CHECK(coco_complaint("[{\"image_id\": 1}]") == "f.json, entry 1: key 'category_id' not found");
+}
+
+TEST_CASE("what a data set does not list is not taken for COCO's or for an image's name",
+          "[examples][regression]") {
+  const std::string lists = R"({"images": [{"id": 1, "file_name": "a.png"}],
+    "categories": [{"id": 1, "name": "tv"}], "annotations": [{"bbox": [0, 0, 9, 9], )";
+  CHECK(coco_complaint(lists + R"("image_id": 1, "category_id": 2}]})") ==
+        "f.json, entry 1: category 2 is not among the file's categories");
+  const ScratchFolder folder;
+  const std::string file =
+      folder.write("f.json", lists + R"("image_id": 100, "category_id": 1}]})");
+  CHECK(read_coco(file, coco_classes).at(1).name == "unlisted image_id 100");
 }
 
 TEST_CASE("an id of two images or of two categories is refused", "[examples]") {

@@ -160,10 +160,10 @@ TEST_CASE("a method of one's own is compared by its scores", "[examples]") {
 }
 
 TEST_CASE("bad options end compare with one line", "[examples]") {
-  CHECK(refusal("compare --camera 5,5,3,2") == "give either --nodes or --map and --query");
-  refusal("compare --map a --camera 5,5,3,2");
-  refusal("compare --nodes a --map b --query c --camera 5,5,3,2");
-  refusal("compare --nodes a --verified 0 --camera 5,5,3,2");
+  CHECK(refusal("compare --camera 500,500,320,240") == "give either --nodes or --map and --query");
+  refusal("compare --map a --camera 500,500,320,240");
+  refusal("compare --nodes a --map b --query c --camera 500,500,320,240");
+  refusal("compare --nodes a --verified 0 --camera 500,500,320,240");
   CHECK(refusal(sets + sample_options + " --protocol distance=x").find("distance") !=
         std::string::npos);
   const ScratchFolder folder;
@@ -172,7 +172,7 @@ TEST_CASE("bad options end compare with one line", "[examples]") {
         map + ": compare makes the graphs anew and needs a node table, not a saved map");
   folder.write("s.frames.csv", "idx,frame,timestamp\n0,a.png,1\n");
   folder.write("s.nodes.csv", "idx,class,conf,u,v,w,h,z\n");
-  CHECK(refusal("compare --window 0 --nodes " + folder.path("s") + " --camera 5,5,3,2")
+  CHECK(refusal("compare --window 0 --nodes " + folder.path("s") + " --camera 500,500,320,240")
             .find(folder.path("s.nodes.csv") + ": none of the 1 key frames has three objects") ==
         0);
 }

@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "csv_reader.hpp"
+#include "error_text.hpp"
 #include "scratch.hpp"
 
 using program::CsvReader;
@@ -82,6 +83,10 @@ TEST_CASE("integers are whole numbers that fit", "[examples]") {
 
 TEST_CASE("a missing CSV file is named", "[examples]") {
   const ScratchFolder folder;
+  CHECK(error_in(folder, [&] { CsvReader csv(folder.path("")); }) ==
+        ": it is a folder; name a file in it");
+  CHECK(error_text([] { program::write_file("/dev/full", "text"); }) ==
+        "/dev/full: it cannot be written: No space left on device");
   CHECK(error_in(folder, [&] { CsvReader csv(folder.path("none.csv")); }) ==
         "none.csv: the file cannot be opened; check the path");
   CHECK(error_in(folder, [&] { program::write_file(folder.path("no/where"), ""); }) ==

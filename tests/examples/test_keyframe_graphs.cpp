@@ -138,11 +138,31 @@ TEST_CASE("a table of another camera's images is refused", "[examples][regressio
           read_keyframes(sample_map, options);
         }).find(" boxes lie outside the camera's image of 320 x 240 px, the first around ") !=
         std::string::npos);
-  CHECK(error_text([] {
-          with_size({1000, 1000, 700, 500}, {640, 480});
-        }) ==
-        "--camera: the principal point 700, 500 lies outside the image of 640 x 480 px; are the "
-        "intrinsics of another image size?");
+}
+
+TEST_CASE("intrinsics of another image size are refused", "[examples][regression]") {
+  const auto complaint = [](double cx, double cy) {
+    return error_text([&] { with_size({500, 500, cx, cy}, {640, 480}); });
+  };
+  CHECK(complaint(700, 240) ==
+        "--camera: the principal point 700, 240 lies far from the middle of an image of 640 x 480 "
+        "px; give the intrinsics for that size, or the size that they are for");
+  CHECK(complaint(159.3, 127.6).find("far from the middle") != std::string::npos);  // half the size
+  CHECK(complaint(320, 480).find("far from the middle") != std::string::npos);
+  CHECK(complaint(0.5, 0.5).find("far from the middle") != std::string::npos);  // in shares
+  CHECK(with_size({500, 500, 290.0, 270.0}, {640, 480}).width == 640);
+}
+
+TEST_CASE("boxes in shares of the image are refused", "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string set = folder.path("t");
+  folder.write("t.frames.csv", "idx,frame,timestamp\n0,a,1\n");
+  folder.write("t.nodes.csv", "idx,class,conf,u,v,w,h,z\n0,tv,0.9,0.5,0.5,0.2,0.3,2\n");
+  CHECK(error_in(folder,
+                 [&] {
+                   read_keyframes(set, {camera, 0.0, 0.0, 0.3});
+                 }) ==
+        "t.nodes.csv: every box lies in [0, 1], as shares of the image do; a table's are in px");
 }
 
 TEST_CASE("a table without a usable key frame is refused with what became of it", "[examples]") {

@@ -101,7 +101,7 @@ TEST_CASE("the scoring's limits are options", "[examples]") {
   const Json strict = localize(
       "--correct-translation 0 --wrong-translation 0 --correct-rotation 0 --wrong-rotation 0");
   CHECK(strict.at("wrong") == strict.at("accepted"));
-  CHECK(refusal("localize --map a --query b --camera 5,5,3,2 --wrong-translation 0.1") ==
+  CHECK(refusal("localize --map a --query b --camera 500,500,320,240 --wrong-translation 0.1") ==
         "--wrong-translation: wrong begins below where correct ends");
 }
 
@@ -172,17 +172,17 @@ TEST_CASE("bad input ends localize with one line that names file and line", "[ex
             .find("s.nodes.csv:1: there is no column 'class'") == 0);
   CHECK(EditedSample(".frames.csv", 5, "3,a.png,1305031230.7,,,,,,,").refusal() ==
         "s.frames.csv: frame idx 3 has no pose, which a window needs; give --window 0");
-  CHECK(refusal("localize --map nowhere --query nowhere --camera 5,5,3,2") ==
+  CHECK(refusal("localize --map nowhere --query nowhere --camera 500,500,320,240") ==
         "nowhere.frames.csv: the file cannot be opened; check the path");
   const ScratchFolder folder;
   folder.write("s.frames.csv", "idx,frame,timestamp\n");
   folder.write("s.nodes.csv", "idx,class,conf,u,v,w,h,z\n");
-  CHECK(refusal("localize --map " + folder.path("s") + " --query s --camera 5,5,3,2") ==
+  CHECK(refusal("localize --map " + folder.path("s") + " --query s --camera 500,500,320,240") ==
         folder.path("s.frames.csv") + ": the table holds no frame");
 }
 
 TEST_CASE("bad options end localize with one line", "[examples]") {
-  const std::string sets = "localize --map a --query b --camera 5,5,3,2 ";
+  const std::string sets = "localize --map a --query b --camera 500,500,320,240 ";
   CHECK(refusal(sets + "--window nan").find("'nan' is not a number in [0, inf)") !=
         std::string::npos);
   CHECK(refusal(sets + "--keyframe-interval -1").find("--keyframe-interval") != std::string::npos);

@@ -49,8 +49,8 @@ TEST_CASE("a gap longer than the sequence leaves no query, which is an error", "
 }
 
 TEST_CASE("a bad gap ends loops with one line", "[examples]") {
-  refusal("loops --nodes a --camera 5,5,3,2 --min-gap -1");
-  refusal("loops --nodes a --camera 5,5,3,2 --min-gap nan");
+  refusal("loops --nodes a --camera 500,500,320,240 --min-gap -1");
+  refusal("loops --nodes a --camera 500,500,320,240 --min-gap nan");
 }
 
 TEST_CASE("loops draws the best loop, and looks for some key frames alone", "[examples]") {

@@ -40,7 +40,7 @@ TEST_CASE("missing input ends the program with its name and exit code 2", "[exam
       refusal("nodes --images nowhere --model nothing --out nodes --camera 500,500,320,240") ==
       "nowhere: it is no sequence in the TUM RGB-D layout, which has associations.txt, or rgb.txt "
       "and depth.txt");
-  CHECK(refusal("nodes --images nowhere --model nothing --out no/where --camera 5,5,3,2") ==
+  CHECK(refusal("nodes --images nowhere --model nothing --out no/where --camera 500,500,320,240") ==
         "--out no/where: the folder does not exist; make it first");
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("likely mistakes are told in one sentence that says what to do", "[exa
   CHECK(refusal("trajectory --groundtruth " + frames + " --estimate " + frames +
                 " --alignment sim2") ==
         "--alignment: 'sim2' is none of none, se3, sim3; see topobag trajectory --help");
-  CHECK(refusal("similarity --frames 0-5 --camera 5,5,3,2 --nodes " + sample_map) ==
+  CHECK(refusal("similarity --frames 0-5 --camera 500,500,320,240 --nodes " + sample_map) ==
         "--frames = 0-5 is not a number of its kind; see topobag similarity --help");
   CHECK(refusal("similarity --nodes " + sample_map + sample_options.substr(0, 34)) ==
         frames + ": there is no frame idx 196; name others by --frames");

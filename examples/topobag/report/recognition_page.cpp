@@ -11,6 +11,7 @@
 #include "html_text.hpp"
 #include "match_figures.hpp"
 #include "outcome_figures.hpp"
+#include "output_files.hpp"
 #include "pair_figures.hpp"
 #include "recognition_report.hpp"
 #include "run_outcomes.hpp"
@@ -140,7 +141,8 @@ void add_recognition_report_options(CLI::App& command, RecognitionReportArgument
       .add_option("--protocol", arguments.protocol,
                   "What a true place is in the report, as in evaluate")
       ->capture_default_str();
-  command.add_option("--pairs", arguments.pairs, "CSV to write: every candidate that was tried");
+  add_output_option(command, "--pairs", arguments.pairs,
+                    "CSV to write: every candidate that was tried");
 }
 
 KeptCandidates kept_for(const RecognitionReportArguments& arguments) {

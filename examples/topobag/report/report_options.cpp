@@ -2,12 +2,14 @@
 #include "report_options.hpp"
 
 #include "csv_reader.hpp"
+#include "output_files.hpp"
 
 namespace program {
 
 void add_report_options(CLI::App& command, ReportFiles& files) {
-  command.add_option("--report", files.page, "HTML page to write: figures of the run");
-  command.add_option("--report-data", files.data, "JSON to write: the numbers of the figures");
+  add_output_option(command, "--report", files.page, "HTML page to write: figures of the run");
+  add_output_option(command, "--report-data", files.data,
+                    "JSON to write: the numbers of the figures");
 }
 
 void write_report(const Report& report, const ReportFiles& files) {

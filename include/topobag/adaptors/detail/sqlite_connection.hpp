@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include <topobag/adaptors/detail/sqlite_journal.hpp>
 #include <topobag/error.hpp>
@@ -14,10 +15,10 @@ inline namespace v0 {
 namespace detail {
 
 /// Throws what SQLite says of the last call that failed: FormatError for a file that is no sound
-/// data base, Error for the rest.
+/// data base, Error with the system's reason for the rest.
 [[noreturn]] inline void sqlite_fail(sqlite3* connection, const std::string& path) {
   const int code = sqlite3_errcode(connection) & 0xFF;
-  const std::string text = path + ": " + sqlite3_errmsg(connection);
+  std::string text = path + ": " + sqlite3_errmsg(connection);
   if (code == SQLITE_CORRUPT) throw FormatError(text + "; take another copy");
   if (code == SQLITE_NOTADB) {
     throw FormatError(text + ": it is no SQLite map (a snapshot is for `load`), or damaged; take " +
@@ -28,6 +29,10 @@ namespace detail {
     throw Error(path +
                 ": it was not closed, and its folder cannot be written, as reading what is " +
                 "in " + journal + " needs: copy both files to a folder that can be");
+  }
+  const int reason = sqlite3_system_errno(connection);
+  if (reason != 0 && (code == SQLITE_IOERR || code == SQLITE_CANTOPEN)) {
+    text += ": " + std::generic_category().message(reason);
   }
   throw Error(text);
 }

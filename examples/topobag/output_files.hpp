@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace program {
+
+/// Adds an option that names a file to write.
+CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& file,
+                               const std::string& description);
+
+/// Throws InputError where the folder of a file, which an option names, does not exist.
+void require_folder(const std::string& option, const std::string& file);
+
+/// Throws InputError, before any work is done, where a file to write has no folder, or is one that
+/// another option of the command reads or writes. Devices may be named more than once.
+void require_outputs(const CLI::App& command);
+
+}  // namespace program
