@@ -14,12 +14,18 @@
 namespace program {
 
 void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize& image_size) {
-  CLI::Option_group& sensor = *command.add_option_group("sensor");
-  add_camera_option(sensor, "--camera", options.camera,
-                    "Intrinsics fx,fy,cx,cy[,width,height], px");
-  sensor.add_flag("--clusters", options.clusters,
-                  "Instead of boxes and a camera: clusters of a LiDAR's points, SET.clusters.csv");
-  sensor.require_option(1);
+  CLI::Option* const camera = add_camera_option(command, "--camera", options.camera,
+                                                "Intrinsics fx,fy,cx,cy[,width,height], px");
+  camera->required();
+  command
+      .add_flag_callback(
+          "--clusters",
+          [&options, camera] {
+            options.clusters = true;
+            camera->required(false);
+          },
+          "Instead of boxes and a camera: clusters of a LiDAR's points, SET.clusters.csv")
+      ->excludes(camera);
   add_image_size_option(command, image_size);
   add_classes_option(command, options.classes);
   const auto number = [&](const char* name, double& value, const char* description, double max) {
