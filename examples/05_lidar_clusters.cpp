@@ -73,7 +73,7 @@ int main() {
   const auto T_world_graph = relocalizer.T_world_query(found);
   if (!T_world_graph) return EXIT_FAILURE;
   const double error =
-      (*T_world_graph * T_graph_forward_left_up() * truth.inverse()).translation().norm();
+      (T_world_graph->T * T_graph_forward_left_up() * truth.inverse()).translation().norm();
   std::cout << "found, off by " << error << " m\n";
   return error < 0.2 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

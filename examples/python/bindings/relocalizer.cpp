@@ -69,6 +69,13 @@ topobag::Calibration calibrated(const Relocalizer& relocalizer,
   return topobag::calibrate(relocalizer, keyframes.value_or(ids), other_places, options);
 }
 
+std::optional<Eigen::Isometry3d> world_pose(const Relocalizer& relocalizer,
+                                            const Recognition& recognition) {
+  const auto pose = relocalizer.T_world_query(recognition);
+  if (!pose) return std::nullopt;
+  return pose->T;
+}
+
 }  // namespace
 
 void bind_relocalizer(py::module_& module) {
@@ -86,7 +93,7 @@ void bind_relocalizer(py::module_& module) {
                     py::return_value_policy::copy, doc("Relocalizer.options"))
       .def("localize", &localized, py::arg("query"), py::arg("options") = py::none(), Unlocked(),
            doc("Relocalizer.localize"))
-      .def("T_world_query", &Relocalizer::T_world_query, py::arg("recognition"), Unlocked(),
+      .def("T_world_query", &world_pose, py::arg("recognition"), Unlocked(),
            doc("Relocalizer.T_world_query"));
   py::class_<LoopDetector>(module, "LoopDetector", doc("LoopDetector"))
       .def(py::init([types](const LoopOptions& options, const std::shared_ptr<Map>& bag) {
