@@ -46,3 +46,21 @@ TEST_CASE("versions are read in the order of their transactions, page by page", 
   CHECK(store.sites().front().versions == 10);
   CHECK(store.sites().front().robots == 1);
 }
+
+TEST_CASE("a batch that contradicts the server adds nothing", "[postgres]") {
+  if (!PostgresServer::is_installed()) return;
+  std::mt19937 random(2);
+  PostgresStore store(shared_postgres().new_base());
+  store.prepare();
+  store.add_site("hall", 0);
+  const auto version = [&](std::int64_t seq) {
+    FleetVersion made = version_of({"hall", Uuid{1}, Uuid{2}, KeyframeId{7}}, {},
+                                   random_graph(random, 5));
+    made.seq = seq;
+    return made;
+  };
+  CHECK(store.append({version(1)}) == 1);
+  CHECK_THROWS_AS(store.append({version(1), version(2)}), InvalidId);
+  CHECK(store.last_seq("hall", Uuid{1}, {Uuid{2}}) == 1);
+  CHECK(store.append({version(2)}) == 1);
+}

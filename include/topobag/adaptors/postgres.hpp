@@ -125,6 +125,7 @@ class PostgresStore {
     if (versions.empty()) return 0;
     std::size_t added = 0;
     detail::PostgresConnection& server = connection();
+    detail::PostgresTransaction transaction(server);
     try {
       added = server.run(detail::postgres_append, detail::row_parameters(versions)).changed();
     } catch (const detail::PostgresRefusal& refusal) {
@@ -137,6 +138,7 @@ class PostgresStore {
                       " has other key frames there under the same numbers: a copy of the map " +
                       "is in use; give one of them a new map");
     }
+    transaction.commit();
     return added;
   }
 

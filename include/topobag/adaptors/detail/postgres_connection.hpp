@@ -158,6 +158,33 @@ class PostgresConnection {
   std::unique_ptr<PGconn, Finish> connection_;
 };
 
+/// A change that is made whole by `commit` or not at all.
+class PostgresTransaction {
+ public:
+  explicit PostgresTransaction(PostgresConnection& connection) : connection_(connection) {
+    connection_.run("BEGIN");
+  }
+  PostgresTransaction(const PostgresTransaction&) = delete;
+  PostgresTransaction& operator=(const PostgresTransaction&) = delete;
+  ~PostgresTransaction() {
+    if (!open_ || !connection_.is_open()) return;
+    try {
+      connection_.run("ROLLBACK");
+    } catch (const Error&) {  // the connection went, and the transaction with it
+    }
+  }
+
+  /// Throws Error; whether it was made is then known to the server alone.
+  void commit() {
+    open_ = false;
+    connection_.run("COMMIT");
+  }
+
+ private:
+  PostgresConnection& connection_;
+  bool open_ = true;
+};
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace topobag

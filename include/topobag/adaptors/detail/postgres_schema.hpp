@@ -121,23 +121,17 @@ inline void require_schema(PostgresConnection& connection) {
 /// Makes an empty data base a fleet's map, or an older one of the present schema; two at a time
 /// are one after the other. Throws FormatError as `require_schema`, Error for who may not.
 inline void migrate_schema(PostgresConnection& connection) {
-  connection.run("BEGIN");
-  try {
-    connection.run("SELECT pg_advisory_xact_lock(1413628231)");  // "TBAG", as in SQLite
-    for (auto step = static_cast<std::size_t>(postgres_version(connection));
-         step < postgres_migrations.size(); ++step) {
-      connection.run_all(postgres_migrations[step]);
-    }
-    PostgresParameters version;
-    version.add(postgres_int8, postgres_schema_version);
-    connection.run("UPDATE topobag.meta SET schema_version = $1 WHERE schema_version < $1",
-                   version);
-    require_schema(connection);
-    connection.run("COMMIT");
-  } catch (const Error&) {
-    if (connection.is_open()) connection.run("ROLLBACK");
-    throw;
+  PostgresTransaction transaction(connection);
+  connection.run("SELECT pg_advisory_xact_lock(1413628231)");  // "TBAG", as in SQLite
+  for (auto step = static_cast<std::size_t>(postgres_version(connection));
+       step < postgres_migrations.size(); ++step) {
+    connection.run_all(postgres_migrations[step]);
   }
+  PostgresParameters version;
+  version.add(postgres_int8, postgres_schema_version);
+  connection.run("UPDATE topobag.meta SET schema_version = $1 WHERE schema_version < $1", version);
+  require_schema(connection);
+  transaction.commit();
 }
 
 }  // namespace detail
