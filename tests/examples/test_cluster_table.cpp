@@ -6,10 +6,10 @@
 #include <string>
 
 #include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
 
 #include "catch.hpp"
 #include "cluster_table.hpp"
-#include "json_output.hpp"
 #include "run_program.hpp"
 #include "scratch.hpp"
 
@@ -92,7 +92,7 @@ TEST_CASE("a map of clusters is made and looked up in without a camera", "[examp
   const ProgramRun run = run_program(tables + "--clusters --json");
   CAPTURE(run.err);
   REQUIRE(run.exit_code == 0);
-  const Json found = Json::parse(run.out);
+  const auto found = nlohmann::json::parse(run.out);
   CAPTURE(run.out);
   CHECK(found.at("accepted") == 3);
   CHECK(found.at("correct") == 3);

@@ -39,7 +39,7 @@ void check_told(const std::vector<Mistake>& mistakes) {
   }
 }
 
-const std::string camera = " --camera 517.3,516.5,318.6,255.3 ";
+const std::string desk_camera = " --camera 517.3,516.5,318.6,255.3 ";
 const std::string two_tables = " --map " + sample_map + " --query " + sample_query + " ";
 const std::string no_table =
     ": it is no table, which is two files; name SET of SET.frames.csv and SET.nodes.csv";
@@ -54,23 +54,23 @@ TEST_CASE("likely mistakes with localize and loops are told in a sentence", "[ex
   check_told({
       {"localize" + two_tables, no_camera + "localize --help"},
       {"localize" + two_tables + "--camera 258,258,159.3,127.6", half_size},
-      {"localize --map " + sample_map + " --query FOLDER/map.bag" + camera,
+      {"localize --map " + sample_map + " --query FOLDER/map.bag" + desk_camera,
        "FOLDER/map.bag" + no_table},
-      {"localize --map FOLDER/map.bag --query " + sample_query + camera +
+      {"localize --map FOLDER/map.bag --query " + sample_query + desk_camera +
            "--map-camera 500,500,320,240",
        "FOLDER/map.bag: it is a saved map, which has its poses, cameras and vertical: "
        "--map-trajectory, --map-camera and --map-world-up are for tables"},
-      {"localize" + two_tables + camera + "--report FOLDER/r.html --pairs FOLDER/r.html",
+      {"localize" + two_tables + desk_camera + "--report FOLDER/r.html --pairs FOLDER/r.html",
        "--report FOLDER/r.html: the file is also that of --pairs; give another name"},
-      {"localize" + two_tables + camera + "--seed -1",
+      {"localize" + two_tables + desk_camera + "--seed -1",
        "--seed: '-1' is not a whole number in [0, inf); see topobag localize --help"},
       {"loops --nodes " + sample_map, no_camera + "loops --help"},
-      {"loops --nodes FOLDER/map.bag" + camera, "FOLDER/map.bag" + no_table},
-      {"loops --nodes FOLDER/none" + camera,
+      {"loops --nodes FOLDER/map.bag" + desk_camera, "FOLDER/map.bag" + no_table},
+      {"loops --nodes FOLDER/none" + desk_camera,
        "FOLDER/none.frames.csv: the file cannot be opened; check the path"},
-      {"loops --min-gap 20s --nodes " + sample_map + camera,
+      {"loops --min-gap 20s --nodes " + sample_map + desk_camera,
        "--min-gap: '20s' is not a number in [0, inf); see topobag loops --help"},
-      {"loops --min-gap 2e10 --nodes " + sample_map + camera,
+      {"loops --min-gap 2e10 --nodes " + sample_map + desk_camera,
        sample_map + ": none of the 62 key frames could be looked up: 0 have no usable graph, 62 "
                     "nothing to compare with, such as a key frame that is older by --min-gap"},
   });
@@ -78,12 +78,12 @@ TEST_CASE("likely mistakes with localize and loops are told in a sentence", "[ex
 
 TEST_CASE("likely mistakes with map, info and explain are told in a sentence", "[examples]") {
   check_told({
-      {"map --nodes " + sample_map + camera, "--out is required; see topobag map --help"},
+      {"map --nodes " + sample_map + desk_camera, "--out is required; see topobag map --help"},
       {"map --out FOLDER/m.bag --nodes " + sample_map, no_camera + "map --help"},
-      {"map --out FOLDER/m.bag --nodes FOLDER/map.bag" + camera, "FOLDER/map.bag" + no_table},
-      {"map --out FOLDER/no/m.bag --nodes " + sample_map + camera,
+      {"map --out FOLDER/m.bag --nodes FOLDER/map.bag" + desk_camera, "FOLDER/map.bag" + no_table},
+      {"map --out FOLDER/no/m.bag --nodes " + sample_map + desk_camera,
        "--out FOLDER/no/m.bag: the folder does not exist; make it first"},
-      {"map --out FOLDER/note.txt --nodes " + sample_map + camera,
+      {"map --out FOLDER/note.txt --nodes " + sample_map + desk_camera,
        "FOLDER/note.txt: it exists; give --append to go on mapping, or another name"},
       {"info", "map is required; see topobag info --help"},
       {"info " + sample_map, sample_map + ": it is a table, no map; `topobag map` makes one of it"},
@@ -91,14 +91,14 @@ TEST_CASE("likely mistakes with map, info and explain are told in a sentence", "
       {"info FOLDER/note.txt",
        "FOLDER/note.txt: it is no map: neither an SQLite map nor a snapshot of topobag"},
       {"info FOLDER", "FOLDER: it is a folder; name the map in it"},
-      {"explain" + two_tables + camera, "--frame is required; see topobag explain --help"},
+      {"explain" + two_tables + desk_camera, "--frame is required; see topobag explain --help"},
       {"explain --frame 1" + two_tables, no_camera + "explain --help"},
-      {"explain --frame 9999" + two_tables + camera,
+      {"explain --frame 9999" + two_tables + desk_camera,
        "--frame 9999: no key frame of the query has this idx; --keyframe-interval 0 takes all "
        "frames"},
-      {"explain --frame 3 --candidates -1" + two_tables + camera,
+      {"explain --frame 3 --candidates -1" + two_tables + desk_camera,
        "--candidates: '-1' is not a whole number in [0, inf); see topobag explain --help"},
-      {"explain --frame 3 --svg " + sample_query + ".nodes.csv" + two_tables + camera,
+      {"explain --frame 3 --svg " + sample_query + ".nodes.csv" + two_tables + desk_camera,
        "--svg " + sample_query + ".nodes.csv: the file is also that of --query; give another name"},
   });
 }
@@ -107,14 +107,14 @@ TEST_CASE("likely mistakes with what scores are told in a sentence", "[examples]
   const std::string evaluate = "evaluate --poses FOLDER/poses.txt --scores FOLDER/";
   const std::string trajectory = "trajectory --groundtruth FOLDER/poses.txt --estimate FOLDER/";
   check_told({
-      {"compare --map " + sample_map + camera,
+      {"compare --map " + sample_map + desk_camera,
        "--map requires --query; see topobag compare --help"},
       {"compare" + two_tables, no_camera + "compare --help"},
-      {"compare --map FOLDER/map.bag --query " + sample_query + camera,
+      {"compare --map FOLDER/map.bag --query " + sample_query + desk_camera,
        "FOLDER/map.bag: compare makes the graphs anew and needs a node table, not a saved map"},
-      {"compare --verified 0" + two_tables + camera,
+      {"compare --verified 0" + two_tables + desk_camera,
        "--verified: '0' is not a whole number in [1, inf); see topobag compare --help"},
-      {"compare --scores FOLDER/scores.csv" + two_tables + camera,
+      {"compare --scores FOLDER/scores.csv" + two_tables + desk_camera,
        "FOLDER/scores.csv: the scores are 2 × 2, but the poses make 60 queries × 62 candidates"},
       {"evaluate --scores FOLDER/scores.csv", "--poses is required; see topobag evaluate --help"},
       {evaluate + "note.txt", "FOLDER/note.txt:1: 'Monday:' is not a number."},
@@ -141,7 +141,7 @@ TEST_CASE("likely mistakes with what scores are told in a sentence", "[examples]
 }
 
 TEST_CASE("likely mistakes with nodes and similarity are told in a sentence", "[examples]") {
-  const std::string nodes = "nodes --images FOLDER --out FOLDER/set" + camera;
+  const std::string nodes = "nodes --images FOLDER --out FOLDER/set" + desk_camera;
   check_told({
       {nodes, "Exactly 1 option from [--model,--boxes] is required; see topobag nodes --help"},
       {"nodes --images FOLDER --out FOLDER/set --boxes FOLDER", no_camera + "nodes --help"},
@@ -150,14 +150,14 @@ TEST_CASE("likely mistakes with nodes and similarity are told in a sentence", "[
        "and depth.txt"},
       {nodes + "--boxes FOLDER --depth-scale 0",
        "--depth-scale: '0' is not a number in [1e-06, inf); see topobag nodes --help"},
-      {"nodes --images FOLDER --boxes FOLDER --out FOLDER/no/set" + camera,
+      {"nodes --images FOLDER --boxes FOLDER --out FOLDER/no/set" + desk_camera,
        "--out FOLDER/no/set: the folder does not exist; make it first"},
       {"similarity", "--nodes is required; see topobag similarity --help"},
       {"similarity --frames 0 --nodes " + sample_map, no_camera + "similarity --help"},
-      {"similarity --nodes FOLDER/map.bag" + camera, "FOLDER/map.bag" + no_table},
-      {"similarity --frames 0-5 --nodes " + sample_map + camera,
+      {"similarity --nodes FOLDER/map.bag" + desk_camera, "FOLDER/map.bag" + no_table},
+      {"similarity --frames 0-5 --nodes " + sample_map + desk_camera,
        "--frames = 0-5 is not a number of its kind; see topobag similarity --help"},
-      {"similarity --frames 0,9999 --nodes " + sample_map + camera,
+      {"similarity --frames 0,9999 --nodes " + sample_map + desk_camera,
        sample_map + ".frames.csv: there is no frame idx 9999; name others by --frames"},
   });
 }

@@ -21,7 +21,7 @@ program::SavedMap sample_map_at(const std::string& table, const Eigen::Isometry3
   for (auto& keyframe : keyframes) {
     keyframe.T_world_camera = T_world_sample * *keyframe.T_world_camera;
   }
-  return {"", {{0, "a run"}}, program::new_entries({}, keyframes)};
+  return {"", {{0, "a run"}}, program::new_entries(topobag::BagOfTopologyGraphs<>(), keyframes)};
 }
 
 }  // namespace

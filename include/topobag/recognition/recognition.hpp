@@ -30,7 +30,7 @@ struct CandidateReport {
   std::vector<RelativePose> other_poses;    ///< the other distinct ones, best first
   ClassCounts matched;                      ///< matched objects by class (the query's)
   std::optional<double> place_support;      ///< of the pose by all objects of the place around it
-  std::optional<RefinedPose> place_pose;    ///< over those, when no fewer agree than in the candidate
+  std::optional<RefinedPose> place_pose;    ///< over those, when no fewer agree, and no less
   std::optional<RivalPlace> rival;          ///< that keeps the pose from being believed
   std::size_t places = 0;                   ///< of the map that can hold what was matched
   double threshold = 0.0;                   ///< the score that was asked for, among these

@@ -113,7 +113,8 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
     hypothesis.support = 0.5 * (hypothesis.support + place_support);
     if (hypothesis.pose != &*report.pose) continue;
     report.place_support = place_support;
-    if (pose && pose->inliers.size() >= report.pose->inliers.size()) {
+    if (pose && pose->inliers.size() >= report.pose->inliers.size() &&
+        pose->rms <= report.pose->rms) {
       report.place_pose = RefinedPose{pose->T_candidate_query, pose->covariance};
     }
   }
