@@ -77,7 +77,7 @@ topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageS
     camera.width = size.width;
     camera.height = size.height;
   }
-  require_principal_point(camera);
+  if (camera.fx > 0.0) require_principal_point(camera);  // it was given
   return camera;
 }
 

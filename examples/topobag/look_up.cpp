@@ -136,7 +136,8 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
 topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index) {
   const topobag::Recognition& recognition = run.look_ups[index].recognition;
   return topobag::explain(recognition, relocalizer_of(run).map(), run.queries[index].graph,
-                          run.classes.catalog, recognition_options_for(run.classes));
+                          run.classes.catalog, recognition_options_for(run.classes),
+                          recognition.candidates.size());
 }
 
 topobag::CandidateExplanation explain_accepted(const RecognitionRun& run, std::size_t index) {

@@ -35,12 +35,14 @@ TEST_CASE("two maps of one desk become one", "[examples]") {
   const auto other = sample_map_at(sample_query, T_map_other.inverse());
 #ifdef TOPOBAG_HAS_SQLITE
   const std::string ours = folder.path("a.db"), joined = folder.path("c.db");
+  const std::string theirs = folder.path("b.db");  // a snapshot knows no names of sessions
 #else
   const std::string ours = folder.path("a.bag"), joined = folder.path("c.bag");
+  const std::string theirs = folder.path("b.bag");
 #endif
   program::write_new_map(ours, map, catalog);
-  program::write_new_map(folder.path("b.bag"), other, catalog);
-  const std::string command = "merge " + ours + ' ' + folder.path("b.bag") + " --out " + joined;
+  program::write_new_map(theirs, other, catalog);
+  const std::string command = "merge " + ours + ' ' + theirs + " --out " + joined;
   const ProgramRun run = run_program(command);
   CAPTURE(run.err, run.out);
   REQUIRE(run.exit_code == 0);

@@ -133,7 +133,8 @@ TEST_CASE("a depth image that cannot be is refused", "[sensing]") {
   CHECK_THROWS_AS(View(&pixel, 1, 1, -5000.0), InvalidValue);
   CHECK_THROWS_AS(View(&pixel, 1, 1, std::numeric_limits<double>::quiet_NaN()), InvalidValue);
   CHECK_THROWS_AS(View(&pixel, 1, 1, std::numeric_limits<double>::infinity()), InvalidValue);
-  CHECK_THROWS_AS(depth_view(ImageFloat(), 1.0), InvalidValue);
+  const ImageFloat empty;
+  CHECK_THROWS_AS(depth_view(empty, 1.0), InvalidValue);
 }
 
 TEST_CASE("a pixel just inside the border is the last one", "[sensing][regression]") {
