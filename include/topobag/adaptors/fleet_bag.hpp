@@ -31,14 +31,14 @@ inline namespace v0 {
 
 /// A server, and the sites that are followed there.
 struct FleetSource {
-  std::string conninfo;  ///< as `PostgresStore` has it
-  std::vector<std::string> sites;
+  std::string conninfo;            ///< as `PostgresStore` has it
+  std::vector<std::string> sites;  ///< their names
 };
 
 /// How a fleet is followed.
 struct FleetOptions {
   std::uint64_t catalog = 0;  ///< fingerprint that all key frames' classes must have; 0 = any
-  ViewSection views = ViewSection::kept;
+  ViewSection views = ViewSection::kept;  ///< whether graphs keep their views
   std::chrono::milliseconds silence = std::chrono::seconds(30);  ///< as `PostgresStore` has it
 };
 
@@ -46,8 +46,7 @@ struct FleetOptions {
 /// Whatever stops it, and wherever: called again, it goes on with what is missing, which the server
 /// itself says. Returns how many versions were added. Throws as `PostgresStore::append`, and
 /// InvalidId when the server knows more of the map than the map does: it is an old copy.
-inline std::size_t push(const FleetOutbox& outbox, PostgresStore& store,
-                        std::size_t batch = 1000) {
+inline std::size_t push(const FleetOutbox& outbox, PostgresStore& store, std::size_t batch = 1000) {
   const FleetMember& member = outbox.member();
   std::int64_t sent = store.last_seq(member.site, member.robot, outbox.sessions());
   if (sent > outbox.last_seq()) {
@@ -81,9 +80,7 @@ class FleetBag {
 
   /// Connects when it is asked to.
   explicit FleetBag(std::vector<FleetSource> sources, FleetOptions options = {})
-      : options_(options),
-        bag_({}, options.views),
-        shown_(std::make_unique<Shown>()) {
+      : options_(options), bag_({}, options.views), shown_(std::make_unique<Shown>()) {
     for (FleetSource& source : sources) {
       feeds_.push_back({PostgresStore(std::move(source.conninfo), options.silence), {}});
       for (std::string& site : source.sites) feeds_.back().cursors[std::move(site)];
@@ -121,8 +118,8 @@ class FleetBag {
       }
       sockets.push_back({feed.store.socket(), POLLIN, 0});
     }
-    const int ready = ::poll(sockets.data(), static_cast<nfds_t>(sockets.size()),
-                             static_cast<int>(time.count()));
+    const int ready =
+        ::poll(sockets.data(), static_cast<nfds_t>(sockets.size()), static_cast<int>(time.count()));
     return ready > 0;
   }
 

@@ -24,19 +24,20 @@ inline namespace v0 {
 struct FleetCursor {
   std::string history;        ///< of the server; with another one, reading starts anew
   std::uint64_t arrival = 0;  ///< transaction of the last version read
-  Uuid robot{}, session{};    ///< the last version's
+  Uuid robot{};               ///< the last version's
+  Uuid session{};             ///< the last version's
   std::int64_t seq = -1;      ///< the last version's
 };
 
 /// A version as it was read, or why it is none.
 struct ReadVersion {
-  FleetVersion version;
-  std::string fault;  ///< a sentence when the row is damaged; else empty
+  FleetVersion version;  ///< as far as it could be read
+  std::string fault;     ///< a sentence when the row is damaged; else empty
 };
 
 /// What a server knows of a site.
 struct FleetSite {
-  std::string name;
+  std::string name;           ///< by which it is asked for
   std::uint64_t catalog = 0;  ///< fingerprint of its classes
   std::size_t versions = 0;   ///< that a reader sees
   std::size_t robots = 0;     ///< that they come from
@@ -66,10 +67,9 @@ class PostgresStore {
   /// Makes a site; for the owner.
   /// @param catalog  fingerprint of the classes of its maps; 0 where they state none
   void add_site(const std::string& name, std::uint64_t catalog) {
-    connection().run("SELECT topobag.add_site($1, $2)",
-                     detail::PostgresParameters()
-                         .add(detail::postgres_text, name)
-                         .add(detail::postgres_int8, catalog));
+    connection().run("SELECT topobag.add_site($1, $2)", detail::PostgresParameters()
+                                                            .add(detail::postgres_text, name)
+                                                            .add(detail::postgres_int8, catalog));
   }
 
   /// Lets a role read a site, and add versions of one robot there where one is named; for the
@@ -132,8 +132,8 @@ class PostgresStore {
       refuse_append(refusal, versions.front().key);
     }
     if (added < versions.size() &&
-        server.run(detail::postgres_contradicted, detail::name_parameters(versions))
-                .integer(0, 0) > 0) {
+        server.run(detail::postgres_contradicted, detail::name_parameters(versions)).integer(0, 0) >
+            0) {
       throw InvalidId(server.name() + ": robot " + to_text(versions.front().key.robot) +
                       " has other key frames there under the same numbers: a copy of the map " +
                       "is in use; give one of them a new map");
@@ -221,7 +221,8 @@ class PostgresStore {
                         " mean other names than the map's; make the map with those");
     }
     if (refusal.code() == "23514") {
-      throw Error(what + ": there is no " + site + "; its owner makes it with `topobag fleet init`");
+      throw Error(what + ": there is no " + site +
+                  "; its owner makes it with `topobag fleet init`");
     }
     if (refusal.code() == "42501") {
       throw Error(what + ": this role may not add key frames of robot " + to_text(key.robot) +
@@ -239,7 +240,8 @@ class PostgresStore {
         read.fault = "its checksum does not fit: it is damaged";
       }
     } catch (const Error& error) {
-      read.version.key = {site, rows.uuid(row, 1), rows.uuid(row, 2), KeyframeId{rows.bits(row, 4)}};
+      read.version.key = {site, rows.uuid(row, 1), rows.uuid(row, 2),
+                          KeyframeId{rows.bits(row, 4)}};
       read.version.seq = rows.integer(row, 3);
       read.fault = error.what();
     }

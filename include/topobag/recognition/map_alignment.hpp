@@ -31,7 +31,7 @@ enum class AlignmentVerdict {
 
 /// How map b lies in map a.
 struct MapAlignment {
-  AlignmentVerdict verdict = AlignmentVerdict::no_poses;
+  AlignmentVerdict verdict = AlignmentVerdict::no_poses;  ///< whether, and why not
   std::optional<PoseWithCovariance<>> T_a_b;  ///< from b's world to a's, when aligned
   std::size_t asked = 0;                      ///< key frames of b
   std::size_t matched = 0;                    ///< of them with a verified match

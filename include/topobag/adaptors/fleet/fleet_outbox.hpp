@@ -27,8 +27,8 @@ inline namespace v0 {
 
 /// A robot of a fleet, and where it maps.
 struct FleetMember {
-  std::string site;
-  Uuid robot{};
+  std::string site;  ///< its name
+  Uuid robot{};      ///< for ever the same
 
   /// Throws InvalidValue for a site without a name, or one that is not UTF-8.
   void validate() const {

@@ -45,11 +45,11 @@ struct FleetKey {
 /// What a robot says of one of its key frames at one moment. Never changed: a moved pose or an
 /// erasure is another version, and the one with the greatest `seq` holds.
 struct FleetVersion {
-  FleetKey key;
-  std::int64_t seq = 0;  ///< rises with every change that the robot makes to its map
-  std::string run;       ///< the robot's name for the session
-  std::optional<double> stamp;                ///< s
-  std::string label;                          ///< as `EntryInfo::label`
+  FleetKey key;                 ///< whose it is
+  std::int64_t seq = 0;         ///< rises with every change that the robot makes to its map
+  std::string run;              ///< the robot's name for the session
+  std::optional<double> stamp;  ///< s
+  std::string label;            ///< as `EntryInfo::label`
   std::optional<std::array<double, 7>> pose;  ///< tx ty tz qx qy qz qw of `T_world_camera`
   std::vector<std::uint8_t> graph;            ///< as `encode` writes it; empty for a tombstone
   std::uint64_t catalog = 0;                  ///< fingerprint of the classes; 0 = not known

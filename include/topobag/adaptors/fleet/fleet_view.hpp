@@ -22,8 +22,9 @@ inline namespace v0 {
 /// A session as a `FleetBag` numbers it: its number is the upper half of its key frames' ids and
 /// their `EntryInfo::session`.
 struct FleetSession {
-  std::string site;
-  Uuid robot{}, session{};
+  std::string site;              ///< where it was mapped
+  Uuid robot{};                  ///< whose it is
+  Uuid session{};                ///< of that robot
   std::uint32_t upper_half = 0;  ///< of the robot's own numbers, which a robot may use up to 2^64
   std::string run;               ///< the robot's name for it
 };
@@ -49,6 +50,7 @@ class FleetView {
   std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
     return bag_->places_holding(objects, groups);
   }
+  /// As `BagView::appearance_kind`.
   AppearanceKind appearance_kind() const noexcept { return bag_->appearance_kind(); }
   MemoryUsage memory_usage() const { return bag_->memory_usage(); }
 
@@ -75,7 +77,8 @@ class FleetView {
     // The bag breaks ties by its own ids: all that tie with the last one have to be seen.
     QueryOptions wider = options;
     std::vector<Candidate> found;
-    for (wider.max_results = beyond(options.max_results);; wider.max_results = beyond(found.size())) {
+    for (wider.max_results = beyond(options.max_results);;
+         wider.max_results = beyond(found.size())) {
       found = bag_->query(graph, wider);
       if (found.size() < wider.max_results) break;
       if (found.back().score < found[options.max_results - 1].score) break;
