@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <topobag/graph/keyframe_sighting.hpp>
 #include <topobag/graph/local_graph.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 
 #include "detections.hpp"
 #include "edges.hpp"

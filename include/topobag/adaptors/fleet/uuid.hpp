@@ -49,7 +49,7 @@ inline Uuid parse_uuid(const std::string& text) {
     sound = sound && at != std::string::npos && digits < 2 * uuid.size();
     if (!sound) break;
     std::uint8_t& byte = uuid[digits++ / 2];
-    byte = static_cast<std::uint8_t>(byte << 4 | (at % 16));
+    byte = static_cast<std::uint8_t>(std::size_t{byte} << 4 | (at % 16));
   }
   if (sound && digits == 2 * uuid.size()) return uuid;
   throw InvalidValue("'" + text +
