@@ -113,8 +113,9 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
     hypothesis.support = 0.5 * (hypothesis.support + place_support);
     if (hypothesis.pose != &*report.pose) continue;
     report.place_support = place_support;
+    // The same pose, seen by more, or more exactly: not another one.
     if (pose && pose->inliers.size() >= report.pose->inliers.size() &&
-        pose->rms <= report.pose->rms) {
+        pose->rms <= report.pose->rms && within_uncertainty(*report.pose, *pose)) {
       report.place_pose = RefinedPose{pose->T_candidate_query, pose->covariance};
     }
   }
