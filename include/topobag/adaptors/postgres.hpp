@@ -13,35 +13,14 @@
 #include <topobag/adaptors/detail/postgres_parameters.hpp>
 #include <topobag/adaptors/detail/postgres_rows.hpp>
 #include <topobag/adaptors/detail/postgres_schema.hpp>
+#include <topobag/adaptors/fleet/fleet_cursor.hpp>
+#include <topobag/adaptors/fleet/fleet_site.hpp>
 #include <topobag/adaptors/fleet/fleet_version.hpp>
 #include <topobag/adaptors/fleet/uuid.hpp>
 #include <topobag/error.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// How far a site's versions have been read from one server.
-struct FleetCursor {
-  std::string history;        ///< of the server; with another one, reading starts anew
-  std::uint64_t arrival = 0;  ///< transaction of the last version read
-  Uuid robot{};               ///< the last version's
-  Uuid session{};             ///< the last version's
-  std::int64_t seq = -1;      ///< the last version's
-};
-
-/// A version as it was read, or why it is none.
-struct ReadVersion {
-  FleetVersion version;  ///< as far as it could be read
-  std::string fault;     ///< a sentence when the row is damaged; else empty
-};
-
-/// What a server knows of a site.
-struct FleetSite {
-  std::string name;           ///< by which it is asked for
-  std::uint64_t catalog = 0;  ///< fingerprint of its classes
-  std::size_t versions = 0;   ///< that a reader sees
-  std::size_t robots = 0;     ///< that they come from
-};
 
 /// The fleet's system of record on PostgreSQL: every version of every key frame, appended, never
 /// changed, partitioned by site. It connects when it is asked something and again after a

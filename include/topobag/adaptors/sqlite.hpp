@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/adaptors/detail/map_rows.hpp>
 #include <topobag/adaptors/detail/sqlite_file.hpp>
 #include <topobag/adaptors/sqlite_options.hpp>
 #include <topobag/bag/bag_concepts.hpp>
@@ -69,8 +70,8 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   /// bag do, Error when the file cannot take it; then nothing has changed. Some milliseconds.
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
     require_new(id);
-    Row row = row_of(id, graph, info);
-    const AppearanceKind kind = kind_with(appearance_kind_, graph);
+    Row row(id, graph, info, file_.options().views);
+    const AppearanceKind kind = detail::kind_with(appearance_kind_, graph);
     change({id}, [&] {
       file_.insert(row.entry, row.graph);
       bag_.add(id, std::move(row.graph), as_read(row.entry.info));
@@ -85,10 +86,10 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   /// Throws as `begin_session` and `add`.
   template <typename Run>
   std::uint32_t add_session(const std::string& name, const Run& run) {
-    Rows rows = rows_of(run, [](const EntryInfo& info) { return info; });
+    Rows rows(run, appearance_kind_, file_.options().views);
     for (const Row& row : rows.all) require_new(row.entry.id);
     std::uint32_t session = 0;
-    change(ids_of(rows), [&] {
+    change(rows.ids(), [&] {
       session = detail::note_session(file_.connection(), name);
       for (Row& row : rows.all) row.entry.info.session = session;
       take_in(rows);
@@ -103,8 +104,8 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
       throw InvalidId(path() + ": key frame " + std::to_string(value(id)) +
                       " is not in the map: use add");
     }
-    Row row = row_of(id, graph, info);
-    const AppearanceKind kind = kind_with(appearance_kind_, graph);
+    Row row(id, graph, info, file_.options().views);
+    const AppearanceKind kind = detail::kind_with(appearance_kind_, graph);
     change({id}, [&] {
       file_.update(row.entry, row.graph);
       bag_.update(id, std::move(row.graph), as_read(row.entry.info));
@@ -135,13 +136,13 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   template <typename Other>
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
     options.validate();
-    Rows rows = rows_of(other, [&](const EntryInfo& info) { return options.moved(info); });
+    Rows rows(other, appearance_kind_, file_.options().views, options);
     std::set<KeyframeId> theirs;
     for (const Row& row : rows.all) theirs.insert(row.entry.id);
     const auto new_ids = detail::free_ids(theirs, file_.ids());
     for (Row& row : rows.all) row.entry.id = new_ids.at(row.entry.id);
     const auto sessions = detail::named_sessions(other, 0);
-    change(ids_of(rows), [&] {
+    change(rows.ids(), [&] {
       detail::note_sessions(file_.connection(), sessions, options.session_offset);
       take_in(rows);
     });
@@ -171,34 +172,8 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   std::vector<MapSession> sessions() const { return detail::noted_sessions(file_.connection()); }
 
  private:
-  /// What is written of a key frame, and its graph as it will be read.
-  struct Row {
-    detail::EntryRecord entry;
-    Graph graph;
-  };
-
-  /// Of many key frames, with the kind of descriptors that the map then has.
-  struct Rows {
-    std::vector<Row> all;
-    AppearanceKind kind;
-  };
-
-  /// @param comes_in  an entry's info as it is to be written
-  template <typename Other, typename ComesIn>
-  Rows rows_of(const Other& other, const ComesIn& comes_in) const {
-    Rows rows{{}, appearance_kind_};
-    other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
-      rows.kind = kind_with(rows.kind, graph);
-      rows.all.push_back(row_of(id, graph, comes_in(info)));
-    });
-    return rows;
-  }
-
-  static std::vector<KeyframeId> ids_of(const Rows& rows) {
-    std::vector<KeyframeId> ids;
-    for (const Row& row : rows.all) ids.push_back(row.entry.id);
-    return ids;
-  }
+  using Row = detail::MapRow<Graph>;
+  using Rows = detail::MapRows<Graph>;
 
   /// Into the file and into memory.
   void take_in(Rows& rows) {
@@ -232,20 +207,8 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   /// Into memory, what the file holds.
   void hold(detail::EntryRecord entry) {
     Graph graph = decode<typename Graph::Scalar>(entry.graph);
-    appearance_kind_ = kind_with(appearance_kind_, graph);
+    appearance_kind_ = detail::kind_with(appearance_kind_, graph);
     bag_.add(entry.id, std::move(graph), std::move(entry.info));
-  }
-
-  Row row_of(KeyframeId id, const Graph& graph, const EntryInfo& info) const {
-    info.validate();
-    Row row{{id, info, encode(graph, file_.options().views)}, {}};
-    row.graph = decode<typename Graph::Scalar>(row.entry.graph);
-    return row;
-  }
-
-  /// Asked before a row is written: the file is not to hold what the bag refuses.
-  static AppearanceKind kind_with(AppearanceKind known, const Graph& graph) {
-    return common_kind(known, graph.appearance_kind(), "the key frame");
   }
 
   /// As its columns keep it.

@@ -95,9 +95,9 @@ class BagOfTopologyGraphs {
     using Descriptor = decltype(descriptor_of(std::declval<const Graph&>()));
     std::map<KeyframeId, std::pair<EntryPointer, Descriptor>> joining;
     other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
-      kind = kind_with(kind, graph);
-      joining.emplace(id, std::make_pair(make_entry(graph, options.moved(info)),
-                                         descriptor_of(graph)));
+      kind = detail::kind_with(kind, graph);
+      joining.emplace(
+          id, std::make_pair(Entry::made(graph, options.moved(info)), descriptor_of(graph)));
     });
     const auto new_ids = detail::free_ids(joining, entries_);
     appearance_kind_ = kind;
@@ -200,27 +200,8 @@ class BagOfTopologyGraphs {
     }
   }
 
-  struct Entry {
-    Graph graph;
-    EntryInfo info;
-    typename detail::EntryKey<Similarity, Graph>::type key;
-  };
+  using Entry = detail::BagEntry<Graph, Similarity>;
   using EntryPointer = std::shared_ptr<Entry>;  ///< for_each's stay while it walks
-
-  static AppearanceKind kind_with([[maybe_unused]] AppearanceKind known,
-                                  [[maybe_unused]] const Graph& graph) {
-    if constexpr (detail::is_topology_graph_v<Graph>) {
-      return common_kind(known, graph.appearance_kind(), "the key frame");
-    } else {
-      return {};
-    }
-  }
-
-  EntryPointer make_entry(Graph graph, EntryInfo info) const {
-    info.validate();
-    if constexpr (detail::is_topology_graph_v<Graph>) require_savable(graph);
-    return std::make_shared<Entry>(Entry{std::move(graph), std::move(info), {}});
-  }
 
   auto descriptor_of([[maybe_unused]] const Graph& graph) const {
     if constexpr (precomputed) {
@@ -233,8 +214,8 @@ class BagOfTopologyGraphs {
   /// The entry and its descriptor, and that what its objects look like is of the bag's kind from
   /// now on. What may throw comes first.
   auto taken_in(Graph graph, EntryInfo info) {
-    const AppearanceKind kind = kind_with(appearance_kind_, graph);
-    auto entry = make_entry(std::move(graph), std::move(info));
+    const AppearanceKind kind = detail::kind_with(appearance_kind_, graph);
+    auto entry = Entry::made(std::move(graph), std::move(info));
     auto descriptor = descriptor_of(entry->graph);
     appearance_kind_ = kind;
     return std::make_pair(std::move(entry), std::move(descriptor));

@@ -30,11 +30,12 @@ template <typename Scalar_ = double>
 struct View {
   using Scalar = Scalar_;
   using Pose = Eigen::Transform<Scalar, 3, Eigen::Isometry>;
+  using Depth = DepthGrid;
 
   Pose T_graph_camera = Pose::Identity();  ///< from this camera's frame to the graph's
   PinholeCamera<Scalar> camera;            ///< with its image size
   std::vector<Occluder> occluders;         ///< everything detected, dynamic objects too
-  std::optional<DepthGrid> depth;          ///< measured by this camera, of its image's size
+  std::optional<Depth> depth;              ///< measured by this camera, of its image's size
 
   /// Throws InvalidValue for a pose that is no rigid motion, a number that is not finite, and a
   /// depth of another size than the camera's image. O(occluders).

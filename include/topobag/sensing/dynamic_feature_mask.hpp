@@ -53,10 +53,7 @@ class DynamicFeatureMask {
       : reach_(options.reach) {
     using T = std::decay_t<decltype(*std::begin(detections))>;
     using Traits = detection_traits<T>;
-    static_assert(is_detection_v<T>,
-                  "topobag: specialise topobag::detection_traits for your detection type: "
-                  "static box(const T&) -> BoundingBox, label(const T&) -> ClassId, "
-                  "confidence(const T&) -> double.");
+    require_detection<T>();
     if (!(options.reach >= 0.0) || !(options.margin >= 0.0)) {
       throw InvalidValue("a feature mask's reach and margin must not be below 0");
     }

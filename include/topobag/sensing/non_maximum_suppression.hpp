@@ -16,10 +16,7 @@ template <typename Detections = std::vector<Detection>>
 Detections suppress_non_maxima(Detections detections, double max_iou) {
   using T = typename Detections::value_type;
   using Traits = detection_traits<T>;
-  static_assert(is_detection_v<T>,
-                "topobag: specialise topobag::detection_traits for your detection type: "
-                "static box(const T&) -> BoundingBox, label(const T&) -> ClassId, "
-                "confidence(const T&) -> double.");
+  require_detection<T>();
   std::stable_sort(detections.begin(), detections.end(), detail::IsSurer{});
   Detections kept;
   for (const T& detection : detections) {

@@ -99,6 +99,15 @@ struct is_described_detection<
 template <typename T>
 inline constexpr bool is_detection_v = detail::is_detection<T>::value;
 
+/// Does not compile, and says what is missing, unless `T` fits the concept.
+template <typename T>
+constexpr void require_detection() {
+  static_assert(is_detection_v<T>,
+                "topobag: specialise topobag::detection_traits for your detection type: "
+                "static box(const T&) -> BoundingBox, label(const T&) -> ClassId, "
+                "confidence(const T&) -> double.");
+}
+
 /// Whether `T` is a detection that knows its own depth.
 template <typename T>
 inline constexpr bool is_ranged_detection_v = detail::is_ranged_detection<T>::value;

@@ -85,5 +85,11 @@ FleetVersion version_of(FleetKey key, const EntryInfo& info, const TopologyGraph
   return version;
 }
 
+/// A version as it was read, or why it is none.
+struct ReadVersion {
+  FleetVersion version;  ///< as far as it could be read
+  std::string fault;     ///< a sentence when the row is damaged; else empty
+};
+
 }  // namespace v0
 }  // namespace topobag

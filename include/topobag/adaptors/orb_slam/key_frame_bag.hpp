@@ -78,10 +78,8 @@ class KeyFrameBag {
   /// Nothing will be seen in a key frame of an epoch: the detector failed, or its queue gave it up.
   /// Who waits for it, waits no longer.
   void give_up(std::uint64_t epoch, std::uint64_t id) {
-    {
-      const Lock lock(mutex_);
-      known_.give_up(epoch, id);
-    }
+    const Lock lock(mutex_);
+    known_.give_up(epoch, id);
     sighted_.notify_all();
   }
 
@@ -134,15 +132,14 @@ class KeyFrameBag {
   /// Makes every graph anew with the host's poses of now. Throws the first error, when the others
   /// are made; a graph that cannot be made stays as it was.
   void refresh() {
-    std::vector<std::uint64_t> ids;
-    {
+    const auto all = [this] {
       const Lock lock(mutex_);
-      for (const auto& entry : known_.key_frames()) ids.push_back(entry.first);
-    }
+      return known_.key_frames();
+    }();
     std::exception_ptr first_error;
-    for (const std::uint64_t id : ids) {
+    for (const auto& entry : all) {
       try {
-        make_entry(id);
+        make_entry(entry.first);
       } catch (...) {
         if (!first_error) first_error = std::current_exception();
       }
@@ -186,7 +183,6 @@ class KeyFrameBag {
     for (const CandidateReport& report : recognition.candidates) {
       if (report.pose) found.emplace_back(&report, known_.key_frame(value(report.id)));
     }
-
     const KeyFramePins::Scope pinned(pins_, lock);
     Places places;
     for (const auto& [report, key_frame] : found) {

@@ -8,7 +8,6 @@
 #include <topobag/bag/detail/bit_writer.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/view.hpp>
-#include <topobag/sensing/depth_grid.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -23,11 +22,12 @@ bool any_depth(const std::vector<View<Scalar>>& views) {
 /// Writes how far each view sees: whether that is known, and the levels of its grid.
 template <typename Scalar>
 void put_depths(BitWriter& writer, const std::vector<View<Scalar>>& views) {
+  using Depth = View<>::Depth;
   for (const View<Scalar>& view : views) {
     writer.put(view.depth ? 1 : 0, 1);
     if (!view.depth) continue;
-    for (const DepthGrid::Level level : view.depth->levels()) {
-      writer.put(level, DepthGrid::level_bits);
+    for (const Depth::Level level : view.depth->levels()) {
+      writer.put(level, Depth::level_bits);
     }
   }
 }
@@ -35,15 +35,16 @@ void put_depths(BitWriter& writer, const std::vector<View<Scalar>>& views) {
 /// Reads it for each of the views. Throws FormatError.
 template <typename Scalar>
 void get_depths(BitReader& reader, std::vector<View<Scalar>>& views) {
+  using Depth = View<>::Depth;
   for (View<Scalar>& view : views) {
     if (reader.get(1) == 0) continue;
     const auto& camera = view.camera;
     if (camera.width < 1 || camera.height < 1) {
       throw FormatError("a view has depths but no image: the data are damaged");
     }
-    DepthGrid::Levels levels;
-    for (DepthGrid::Level& level : levels) {
-      level = static_cast<DepthGrid::Level>(reader.get(DepthGrid::level_bits));
+    Depth::Levels levels;
+    for (Depth::Level& level : levels) {
+      level = static_cast<Depth::Level>(reader.get(Depth::level_bits));
     }
     view.depth.emplace(levels, camera.width, camera.height);
   }
