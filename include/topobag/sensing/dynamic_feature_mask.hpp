@@ -53,7 +53,7 @@ class DynamicFeatureMask {
       : reach_(options.reach) {
     using T = std::decay_t<decltype(*std::begin(detections))>;
     using Traits = detection_traits<T>;
-    require_detection<T>();
+    static_assert(require_detection<T>());
     if (!(options.reach >= 0.0) || !(options.margin >= 0.0)) {
       throw InvalidValue("a feature mask's reach and margin must not be below 0");
     }

@@ -191,7 +191,7 @@ LiftedNodes<Scalar> lift_detections(const Detections& detections, const Depth& d
                                     const ClassCatalog& catalog, const LiftOptions& options = {},
                                     const Sampling& sampling = {}) {
   using T = std::decay_t<decltype(*std::begin(detections))>;
-  require_detection<T>();
+  static_assert(require_detection<T>());
   static_assert(is_depth_source_v<Depth>,
                 "topobag: a depth source is callable as depth(Eigen::Vector2d pixel) -> "
                 "std::optional<double> metres.");
@@ -215,6 +215,7 @@ LiftedNodes<Scalar> lift_detections(const Detections& detections,
                                     const PinholeCamera<Scalar>& camera,
                                     const ClassCatalog& catalog, const LiftOptions& options = {}) {
   using T = std::decay_t<decltype(*std::begin(detections))>;
+  static_assert(require_detection<T>());
   static_assert(is_ranged_detection_v<T>,
                 "topobag: without a depth source, topobag::detection_traits needs "
                 "depth(const T&) -> std::optional<double> metres.");

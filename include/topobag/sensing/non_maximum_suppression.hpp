@@ -16,7 +16,7 @@ template <typename Detections = std::vector<Detection>>
 Detections suppress_non_maxima(Detections detections, double max_iou) {
   using T = typename Detections::value_type;
   using Traits = detection_traits<T>;
-  require_detection<T>();
+  static_assert(require_detection<T>());
   std::stable_sort(detections.begin(), detections.end(), detail::IsSurer{});
   Detections kept;
   for (const T& detection : detections) {

@@ -30,7 +30,7 @@ std::vector<RangedDetection> range_detections(const Detections& detections, cons
                                               const Sampling& sampling = {}) {
   using T = std::decay_t<decltype(*std::begin(detections))>;
   using Traits = detection_traits<T>;
-  require_detection<T>();
+  static_assert(require_detection<T>());
   static_assert(is_depth_source_v<Depth>,
                 "topobag: a depth source is callable as depth(Eigen::Vector2d pixel) -> "
                 "std::optional<double> metres.");

@@ -99,13 +99,15 @@ struct is_described_detection<
 template <typename T>
 inline constexpr bool is_detection_v = detail::is_detection<T>::value;
 
-/// Does not compile, and says what is missing, unless `T` fits the concept.
+/// Does not compile, and says what is missing, unless `T` fits the concept. Asked within a
+/// `static_assert`, it speaks before anything that follows it.
 template <typename T>
-constexpr void require_detection() {
+constexpr bool require_detection() {
   static_assert(is_detection_v<T>,
                 "topobag: specialise topobag::detection_traits for your detection type: "
                 "static box(const T&) -> BoundingBox, label(const T&) -> ClassId, "
                 "confidence(const T&) -> double.");
+  return is_detection_v<T>;
 }
 
 /// Whether `T` is a detection that knows its own depth.
