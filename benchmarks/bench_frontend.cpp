@@ -20,8 +20,8 @@
 
 #include <topobag/adaptors/orb_slam.hpp>
 #include <topobag/error.hpp>
-#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/local_graph.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 
 #include "node_table.hpp"
@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
   const std::string map_set = argc > 2 ? argv[1] : data + "fr1_xyz";
   const std::string query_set = argc > 2 ? argv[2] : data + "fr1_rpy";
   RecognitionOptions recognition = OrbSlamOptions{}.recognition;
-  if (argc > 3) recognition.max_candidates = static_cast<std::size_t>(std::atoi(argv[3]));
+  if (argc > 3) recognition.retrieval.max_results = static_cast<std::size_t>(std::atoi(argv[3]));
   SightingOptions sighting;
   if (argc > 4) sighting.lifting.min_confidence = std::atof(argv[4]);
   const PinholeCamera<> camera{517.3, 516.5, 318.6, 255.3, 640, 480};

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How many look-ups find their place when hardly any finds a wrong one? One threshold for all data,
+// How many queries find their place when hardly any finds a wrong one? One threshold for all data,
 // so that it cannot be tuned to a set.
 //
-// Every look-up gives its best answer, whatever the score. The runs are pooled, those with gravity
+// Every query gives its best answer, whatever the score. The runs are pooled, those with gravity
 // apart from those without, and the pool says what to ask for: more than its best false answer, or
-// so much that one look-up in a thousand is answered falsely; the library's default is the third.
+// so much that one query in a thousand is answered falsely; the library's default is the third.
 // Answers are pooled by their margins over the default's threshold, not by bare scores, since what
 // is to be asked for grows with the number of places in the map: a margin means the same in all.
 // False are answers that are off by more than 1 m or 45 degrees, and all of runs between different
-// places; correct are those within 0.3 m and 15 degrees, out of all look-ups: also such as have
+// places; correct are those within 0.3 m and 15 degrees, out of all queries: also such as have
 // nothing to find, as most of a sequence's before it comes back.
 #include <algorithm>
 #include <array>
@@ -36,10 +36,10 @@ namespace {
 
 struct Result {
   PlaceRun run;
-  std::vector<ScoredLookUp> look_ups;
-  double milliseconds = 0.0;  // mean of a look-up, its graphs and map included
+  std::vector<ScoredQuery> queries;
+  double milliseconds = 0.0;  // mean of a query, its graphs and map included
 
-  Figures by_default() const { return figures_at(look_ups, PooledMargins::by_default); }
+  Figures by_default() const { return figures_at(queries, PooledMargins::by_default); }
 };
 
 double share(std::size_t part, std::size_t all) {
@@ -49,21 +49,21 @@ double share(std::size_t part, std::size_t all) {
 void print_head(const char* pool) {
   std::printf("\n%s\n%-26s %5s %3s %7s | %-22s | %-22s | %-22s | %7s\n", pool, "", "", "", "",
               "default", "beyond best false", "1 false in 1,000", "");
-  std::printf("%-26s %5s %3s %7s |", "query:map", "kind", "s", "lookups");
+  std::printf("%-26s %5s %3s %7s |", "query:map", "kind", "s", "queries");
   for (int i = 0; i < 3; ++i) std::printf(" %5s %5s %4s %5s |", "acc.", "corr.", "imp.", "false");
   std::printf(" %7s\n", "ms");
 }
 
 void print(const std::string& name, const char* kind, double window, bool gravity,
-           const std::vector<ScoredLookUp>& look_ups, const PooledMargins& margins,
+           const std::vector<ScoredQuery>& queries, const PooledMargins& margins,
            double milliseconds) {
   const std::array<double, 3> limits{PooledMargins::by_default, margins.beyond_best_false,
                                      margins.one_false_in_1000};
   const std::array<const char*, 3> names{"default", "beyond_best_false", "one_false_in_1000"};
-  std::printf("%-26s %5s %3g %7zu |", name.c_str(), kind, window, look_ups.size());
+  std::printf("%-26s %5s %3g %7zu |", name.c_str(), kind, window, queries.size());
   std::string json;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const Figures f = figures_at(look_ups, limits[i]);
+    const Figures f = figures_at(queries, limits[i]);
     std::printf(" %5zu %5zu %4zu %5zu |", f.accepted, f.correct, f.imprecise, f.wrong);
     const auto field = [&](const char* key, std::size_t n) {
       return std::string(",\"") + names[i] + "_" + key + "\":" + std::to_string(n);
@@ -74,8 +74,8 @@ void print(const std::string& name, const char* kind, double window, bool gravit
   std::printf(" %7.1f\n", milliseconds);
   std::printf(
       "{\"bench\":\"places\",\"run\":\"%s\",\"kind\":\"%s\",\"window_s\":%g,\"gravity\":%s,"
-      "\"look_ups\":%zu%s,\"ms\":%.1f}\n",
-      name.c_str(), kind, window, gravity ? "true" : "false", look_ups.size(), json.c_str(),
+      "\"queries\":%zu%s,\"ms\":%.1f}\n",
+      name.c_str(), kind, window, gravity ? "true" : "false", queries.size(), json.c_str(),
       milliseconds);
 }
 
@@ -87,22 +87,22 @@ void print_pool(std::vector<Result> results, bool gravity) {
   results.erase(std::remove_if(results.begin(), results.end(), is_of_other_pool), results.end());
   if (results.empty()) return;
   std::stable_sort(results.begin(), results.end(), [](const Result& a, const Result& b) {
-    return share(a.by_default().wrong, a.look_ups.size()) >
-           share(b.by_default().wrong, b.look_ups.size());
+    return share(a.by_default().wrong, a.queries.size()) >
+           share(b.by_default().wrong, b.queries.size());
   });
-  std::vector<ScoredLookUp> all, with_a_place, of_other_places;
+  std::vector<ScoredQuery> all, with_a_place, of_other_places;
   double milliseconds = 0.0;
   for (const Result& result : results) {
     auto& kind = result.run.kind == PlaceKind::other ? of_other_places : with_a_place;
     for (auto* pool : {&all, &kind}) {
-      pool->insert(pool->end(), result.look_ups.begin(), result.look_ups.end());
+      pool->insert(pool->end(), result.queries.begin(), result.queries.end());
     }
-    milliseconds += result.milliseconds * static_cast<double>(result.look_ups.size());
+    milliseconds += result.milliseconds * static_cast<double>(result.queries.size());
   }
   const PooledMargins margins = pooled_margins(all);
   print_head(gravity ? "with gravity" : "without gravity");
   for (const Result& result : results) {
-    print(result.run.name, to_string(result.run.kind), result.run.window, gravity, result.look_ups,
+    print(result.run.name, to_string(result.run.kind), result.run.window, gravity, result.queries,
           margins, result.milliseconds);
   }
   milliseconds /= std::max(1.0, static_cast<double>(all.size()));
@@ -110,23 +110,23 @@ void print_pool(std::vector<Result> results, bool gravity) {
   print("other, pooled", "other", -1.0, gravity, of_other_places, margins, milliseconds);
   const auto recall = [&](double margin) {
     const Figures figures = figures_at(with_a_place, margin);
-    return share(figures.correct, figures.look_ups);
+    return share(figures.correct, figures.queries);
   };
   const Figures other = figures_at(of_other_places, PooledMargins::by_default);
-  const double false_rate = share(other.wrong, other.look_ups);
+  const double false_rate = share(other.wrong, other.queries);
   std::printf("margin asked for: beyond the best false %.2f, one false in 1,000 %.2f\n",
               margins.beyond_best_false, margins.one_false_in_1000);
   std::printf(
-      "correct of look-ups: default %.4f, beyond the best false %.4f, one false in 1,000 %.4f\n",
+      "correct of queries: default %.4f, beyond the best false %.4f, one false in 1,000 %.4f\n",
       recall(PooledMargins::by_default), recall(margins.beyond_best_false),
       recall(margins.one_false_in_1000));
-  std::printf("false accepts per look-up of other places, default: %.5f (%zu of %zu)\n", false_rate,
-              other.wrong, other.look_ups);
+  std::printf("false accepts per query of other places, default: %.5f (%zu of %zu)\n", false_rate,
+              other.wrong, other.queries);
   const auto or_null = [](double number) {
     return std::isfinite(number) ? std::to_string(number) : std::string("null");
   };
   std::printf(
-      "{\"bench\":\"places\",\"pool\":\"%s\",\"look_ups\":%zu,"
+      "{\"bench\":\"places\",\"pool\":\"%s\",\"queries\":%zu,"
       "\"margin_beyond_best_false\":%s,\"margin_one_false_in_1000\":%s,\"recall_default\":%.5f,"
       "\"recall_beyond_best_false\":%.5f,\"recall_one_false_in_1000\":%.5f,"
       "\"false_rate_of_other_places_default\":%.6f}\n",
@@ -150,8 +150,8 @@ std::vector<Result> results_of(const std::vector<PlaceRun>& runs, unsigned jobs)
       }
       const std::chrono::duration<double, std::milli> took =
           std::chrono::steady_clock::now() - start;
-      const auto look_ups = static_cast<double>(results[i].look_ups.size());
-      results[i].milliseconds = took.count() / std::max(1.0, look_ups);
+      const auto queries = static_cast<double>(results[i].queries.size());
+      results[i].milliseconds = took.count() / std::max(1.0, queries);
       std::cerr << ++done << " of " << runs.size() << ": " + runs[i].name + "\n";
     }
   };

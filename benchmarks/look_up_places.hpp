@@ -24,18 +24,18 @@ inline topobag::RecognitionOptions accept_any_score() {
 
 /// What the answer is worth: its margin over the score that the default would have asked for among
 /// the same places, and its truth.
-inline ScoredLookUp scored(const topobag::Recognition& found, PlaceKind kind,
-                           const std::vector<program::Keyframe>& map,
-                           const program::Keyframe& query) {
-  ScoredLookUp look_up;
-  if (!found) return look_up;
-  look_up.margin = found.accepted->score() - topobag::DecisionOptions{}.threshold(found.places);
-  if (kind == PlaceKind::other) return look_up;
+inline ScoredQuery scored(const topobag::Recognition& found, PlaceKind kind,
+                          const std::vector<program::Keyframe>& map,
+                          const program::Keyframe& query) {
+  ScoredQuery scored;
+  if (!found) return scored;
+  scored.margin = found.accepted->score() - topobag::DecisionOptions{}.threshold(found.places);
+  if (kind == PlaceKind::other) return scored;
   const program::Keyframe& candidate = map[topobag::value(found.accepted->id)];
-  look_up.truth = topobag::judge(
+  scored.truth = topobag::judge(
       topobag::pose_error(candidate.T_world_camera->inverse() * *query.T_world_camera,
                           found.accepted->pose->T_candidate_query));
-  return look_up;
+  return scored;
 }
 
 /// The key frames' graphs of a table of the run.
@@ -67,15 +67,15 @@ inline topobag::EntryInfo info_of(const program::Keyframe& keyframe) {
 
 /// Looks the run's queries up: every `stride`-th key frame of those with enough objects and
 /// something to be looked up among.
-inline std::vector<ScoredLookUp> look_up_places(const PlaceRun& run) {
+inline std::vector<ScoredQuery> look_up_places(const PlaceRun& run) {
   const auto map = keyframes_of(run, true);
-  std::vector<ScoredLookUp> look_ups;
+  std::vector<ScoredQuery> queries;
   std::size_t next = 0;
   const auto is_due = [&](const program::Keyframe& query) {
     return query.graph.is_matchable() && next++ % run.stride == 0;
   };
   const auto record = [&](const topobag::Recognition& found, const program::Keyframe& query) {
-    if (!found.candidates.empty()) look_ups.push_back(scored(found, run.kind, map, query));
+    if (!found.candidates.empty()) queries.push_back(scored(found, run.kind, map, query));
   };
   if (run.kind == PlaceKind::loops) {
     topobag::LoopDetector<> loops({run.min_gap, accept_any_score()});
@@ -84,7 +84,7 @@ inline std::vector<ScoredLookUp> look_up_places(const PlaceRun& run) {
       if (!map[i].graph.is_matchable()) continue;
       loops.bag().add(topobag::KeyframeId{i}, map[i].graph, info_of(map[i]));
     }
-    return look_ups;
+    return queries;
   }
   topobag::Relocalizer<> relocalizer(accept_any_score());
   for (std::size_t i = 0; i < map.size(); ++i) {
@@ -94,5 +94,5 @@ inline std::vector<ScoredLookUp> look_up_places(const PlaceRun& run) {
   for (const program::Keyframe& query : keyframes_of(run, false)) {
     if (is_due(query)) record(relocalizer.localize(query.graph), query);
   }
-  return look_ups;
+  return queries;
 }

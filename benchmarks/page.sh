@@ -35,8 +35,8 @@ section() {
 
 if [ -n "$data" ]; then
   section "Recognition" \
-    "Every tenth look-up of all shared sets, single frames and windows of 3 s, pooled: what one threshold for all finds and what it finds
-falsely. The whole, of all look-ups, is in the [README](../../README.md#measured)." \
+    "Every tenth query of all shared sets, single frames and windows of 3 s, pooled: what one threshold for all finds and what it finds
+falsely. The whole, of all queries, is in the [README](../../README.md#measured)." \
     build/benchmarks/bench_places --shared DATA --stride 10
 fi
 section "Matching" \
@@ -44,7 +44,7 @@ section "Matching" \
 with its pose, and the paper's padded cosine beside its plain formula." \
   build/benchmarks/bench_matching
 section "A key frame in the front end" \
-  "Lifting, fusing, looking up and adding, detector aside; and a lost tracker's look-ups." \
+  "Lifting, fusing, looking up and adding, detector aside; and a lost tracker's queries." \
   build/benchmarks/bench_frontend
 section "Retrieval and memory" \
   "The exact best ten, of a bag that grows; bytes are those of an encoded graph with its index. The answers are those of brute force, which

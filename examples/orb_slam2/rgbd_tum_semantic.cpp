@@ -68,7 +68,7 @@ class Run {
     settings.database.fusing.window = arguments.window;
     settings.database.max_relocalizations = arguments.max_places;
     if (arguments.candidates > 0) {
-      settings.database.recognition.max_candidates = arguments.candidates;
+      settings.database.recognition.retrieval.max_results = arguments.candidates;
     }
     settings.lost_window = arguments.kidnap_window;
     if (arguments.mask) settings.mask = topobag::DynamicFeatureOptions{};

@@ -16,7 +16,7 @@ namespace program {
 void add_calibration_options(CLI::App& command, CalibrationArguments& arguments) {
   command
       .add_option("--false-accept-rate", arguments.false_accept_rate,
-                  "Share of look-ups of other places that may be accepted")
+                  "Share of queries of other places that may be accepted")
       ->check(number_within(1e-12, 1.0))
       ->capture_default_str();
   CLI::Option* calibrate = command.add_flag(

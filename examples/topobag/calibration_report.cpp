@@ -14,7 +14,7 @@ Json calibration_json(const CalibratedRun& calibrated) {
           {"threshold", threshold.score},
           {"extrapolated", threshold.extrapolated},
           {"source", to_string(calibration.source())},
-          {"look_ups", calibration.look_ups()},
+          {"queries", calibration.queries()},
           {"certain_negatives", calibration.negatives()},
           {"repeats", carry_over.repeats},
           {"warning", carry_over ? Json() : Json(carry_over.reason)}};
@@ -27,7 +27,7 @@ std::string calibration_lines(const CalibratedRun& calibrated) {
   out << "  threshold     " << std::fixed << std::setprecision(2) << threshold.score
       << " for a false-accept rate of " << std::defaultfloat << std::setprecision(6)
       << calibrated.false_accept_rate << (threshold.extrapolated ? ", extrapolated" : "")
-      << " from " << calibration.look_ups() << " look-ups (" << to_string(calibration.source())
+      << " from " << calibration.queries() << " queries (" << to_string(calibration.source())
       << ")\n";
   const topobag::CarryOver carry_over = calibration.carries_over();
   if (!carry_over) out << "  warning       " << carry_over.reason << '\n';

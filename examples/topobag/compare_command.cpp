@@ -85,8 +85,8 @@ topobag::ScoreMatrix place_scores(const RecognitionRun& run) {
     unverified.similarity = scores.data()[i];
     scores.data()[i] = topobag::place_score(unverified);
   }
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    for (const TriedCandidate& tried : run.look_ups[i].tried) {
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    for (const TriedCandidate& tried : run.records[i].tried) {
       scores(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(tried.candidate)) =
           tried.place_score;
     }
@@ -94,13 +94,13 @@ topobag::ScoreMatrix place_scores(const RecognitionRun& run) {
   return scores;
 }
 
-/// Time of all look-ups over the pairs that they verified, µs.
+/// Time of all queries over the pairs that they verified, µs.
 double verification_us(const RecognitionRun& run) {
   double milliseconds = 0.0;
   std::size_t pairs = 0;
-  for (const LookUp& look_up : run.look_ups) {
-    milliseconds += look_up.milliseconds;
-    pairs += look_up.tried.size();
+  for (const QueryRecord& record : run.records) {
+    milliseconds += record.milliseconds;
+    pairs += record.tried.size();
   }
   return 1e3 * milliseconds / static_cast<double>(std::max<std::size_t>(1, pairs));
 }

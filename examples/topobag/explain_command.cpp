@@ -60,7 +60,7 @@ void explain_frame(const ExplainArguments& arguments) {
   save_calibration(arguments.calibration, run);
   topobag::Explanation explanation = explain_look_up(run, 0);
   if (!arguments.svg.empty()) {
-    const auto& shown = shown_candidate(run.look_ups[0].recognition, arguments.frame);
+    const auto& shown = shown_candidate(run.records[0].recognition, arguments.frame);
     write_file(arguments.svg, candidate_svg(run, 0, shown));
   }
   if (arguments.json) {

@@ -52,22 +52,22 @@ TriedCandidate tried_candidate(const topobag::CandidateReport& report) {
 
 /// What `recognize` says, as far as it is kept, and the time it took.
 template <typename Recognize>
-LookUp timed(KeptCandidates kept, const Recognize& recognize) {
+QueryRecord timed(KeptCandidates kept, const Recognize& recognize) {
   const Stopwatch watch;
   topobag::Recognition recognition = recognize();
-  LookUp look_up;
-  look_up.milliseconds = watch.milliseconds();
+  QueryRecord record;
+  record.milliseconds = watch.milliseconds();
   auto& reports = recognition.candidates;
   if (kept == KeptCandidates::tried) {
-    std::transform(reports.begin(), reports.end(), std::back_inserter(look_up.tried),
+    std::transform(reports.begin(), reports.end(), std::back_inserter(record.tried),
                    tried_candidate);
   }
   if (kept != KeptCandidates::reports && reports.size() > 1) {
     reports.erase(reports.begin() + 1, reports.end());
     reports.shrink_to_fit();
   }
-  look_up.recognition = std::move(recognition);
-  return look_up;
+  record.recognition = std::move(recognition);
+  return record;
 }
 
 /// Learns from the map of a run.
@@ -80,12 +80,12 @@ topobag::Calibration learn(const RecognitionRun& run, const std::vector<Keyframe
   const auto usable =
       std::count_if(other_places.begin(), other_places.end(),
                     [](const Keyframe& other) { return other.graph.is_matchable(); });
-  Progress progress(ids.size(), "look-ups to learn from");
+  Progress progress(ids.size(), "queries to learn from");
   topobag::CalibrateOptions options;
-  options.on_look_up = [&] { progress.step(); };
+  options.on_query = [&] { progress.step(); };
   if (min_gap) options.by_pose.min_time_gap = *min_gap;
   if (static_cast<std::size_t>(usable) >= options.calibration.min_negatives) {
-    options.null_look_ups = 0;
+    options.null_queries = 0;
   }
   topobag::Calibration calibration = topobag::calibrate(relocalizer, ids, {}, options);
   const auto open = topobag::without_threshold(relocalizer.options());
@@ -118,7 +118,7 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
   if (leave_out_radius) require_poses(run, "--leave-out-radius");
   topobag::RecognitionOptions options = decided_options(run, request);
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
-  run.look_ups.clear();
+  run.records.clear();
   Progress progress(run.queries.size(), "key frames looked up");
   for (const Keyframe& query : run.queries) {
     if (leave_out_radius) {
@@ -127,21 +127,21 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
         return !own.contains(info.T_world_camera->translation());
       };
     }
-    run.look_ups.push_back(
+    run.records.push_back(
         timed(run.kept, [&] { return relocalizer.localize(query.graph, options); }));
     progress.step();
   }
 }
 
 topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index) {
-  const topobag::Recognition& recognition = run.look_ups[index].recognition;
+  const topobag::Recognition& recognition = run.records[index].recognition;
   return topobag::explain(recognition, relocalizer_of(run).map(), run.queries[index].graph,
                           run.classes.catalog, recognition_options_for(run.classes),
                           recognition.candidates.size());
 }
 
 topobag::CandidateExplanation explain_accepted(const RecognitionRun& run, std::size_t index) {
-  const topobag::CandidateReport& accepted = *run.look_ups[index].recognition.accepted;
+  const topobag::CandidateReport& accepted = *run.records[index].recognition.accepted;
   return topobag::explain_candidate(accepted, run.map[topobag::value(accepted.id)].graph,
                                     run.queries[index].graph, run.classes.catalog,
                                     recognition_options_for(run.classes), accepted.margin());
@@ -149,13 +149,13 @@ topobag::CandidateExplanation explain_accepted(const RecognitionRun& run, std::s
 
 void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationRequest& request) {
   topobag::LoopDetector<> loops({min_gap, decided_options(run, request, min_gap)});
-  run.look_ups.clear();
+  run.records.clear();
   Progress progress(run.map.size(), "key frames looked up");
   for (std::size_t i = 0; i < run.map.size(); ++i) {
     const Keyframe& keyframe = run.map[i];
-    const std::size_t next = run.look_ups.size();
+    const std::size_t next = run.records.size();
     if (next < run.queries.size() && run.queries[next].idx == keyframe.idx) {
-      run.look_ups.push_back(
+      run.records.push_back(
           timed(run.kept, [&] { return loops.detect(keyframe.timestamp, keyframe.graph); }));
     }
     progress.step();
@@ -167,10 +167,10 @@ void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationReque
 void verify(RecognitionRun& run, const std::vector<std::vector<topobag::Candidate>>& candidates) {
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
   const topobag::RecognitionOptions& options = relocalizer.options();
-  run.look_ups.clear();
+  run.records.clear();
   Progress progress(run.queries.size(), "key frames verified");
   for (std::size_t i = 0; i < run.queries.size(); ++i) {
-    run.look_ups.push_back(timed(run.kept, [&] {
+    run.records.push_back(timed(run.kept, [&] {
       return topobag::verify_candidates(relocalizer.map(), run.queries[i].graph, candidates[i],
                                         options);
     }));

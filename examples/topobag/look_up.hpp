@@ -13,7 +13,7 @@
 #include "recognition_run.hpp"
 
 // The program's one place that matches graphs, which is slow to compile. Each call replaces the
-// run's look-ups; the ids in them are positions in the run's map.
+// run's queries; the ids in them are positions in the run's map.
 namespace program {
 
 /// At which rate a decision errs, and by what it knows that.

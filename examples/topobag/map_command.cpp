@@ -22,6 +22,7 @@ struct MapArguments {
 
 void make_map(const MapArguments& arguments) {
   require_folder("--out", arguments.out);
+  if (!arguments.session.empty()) require_session_name(arguments.out, arguments.session);
   KeyframeOptions options = arguments.keyframes;
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);

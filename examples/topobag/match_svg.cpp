@@ -30,12 +30,12 @@ ClassColors colors_of(const topobag::TopologyGraph<>& a, const topobag::Topology
   return colors;
 }
 
-/// The look-up whose accepted match has the best score; of equals the first.
+/// The query whose accepted match has the best score; of equals the first.
 std::optional<std::size_t> best_look_up(const RecognitionRun& run) {
   std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    const auto score = [&](std::size_t k) { return run.look_ups[k].recognition.accepted->score(); };
-    if (run.look_ups[i].recognition && (!best || score(i) > score(*best))) best = i;
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const auto score = [&](std::size_t k) { return run.records[k].recognition.accepted->score(); };
+    if (run.records[i].recognition && (!best || score(i) > score(*best))) best = i;
   }
   return best;
 }
@@ -169,14 +169,14 @@ std::string match_svg(const RecognitionRun& run) {
 }
 
 bool is_drawable(const RecognitionRun& run, std::size_t index) {
-  const topobag::KeyframeId candidate = run.look_ups[index].recognition.accepted->id;
+  const topobag::KeyframeId candidate = run.records[index].recognition.accepted->id;
   return !run.map[topobag::value(candidate)].graph.views().empty() &&
          !run.queries[index].graph.views().empty();
 }
 
 std::string match_svg(const RecognitionRun& run, std::size_t index) {
-  const LookUp& look_up = run.look_ups[index];
-  return pair_svg(run, index, *look_up.recognition.accepted, look_up.error, false);
+  const QueryRecord& record = run.records[index];
+  return pair_svg(run, index, *record.recognition.accepted, record.error, false);
 }
 
 std::string candidate_svg(const RecognitionRun& run, std::size_t index,

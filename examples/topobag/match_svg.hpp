@@ -13,14 +13,14 @@ namespace program {
 /// drawing says so. Throws InputError where a graph of the two holds no view.
 std::string match_svg(const RecognitionRun& run);
 
-/// Whether both graphs of the accepted match of one look-up hold a view. Precondition: it has one.
+/// Whether both graphs of the accepted match of one query hold a view. Precondition: it has one.
 bool is_drawable(const RecognitionRun& run, std::size_t index);
 
-/// The same of the accepted match of one look-up. On an HTML page, too: its styles are its own.
-/// Precondition: the look-up has an accepted match. Throws as above.
+/// The same of the accepted match of one query. On an HTML page, too: its styles are its own.
+/// Precondition: the query has an accepted match. Throws as above.
 std::string match_svg(const RecognitionRun& run, std::size_t index);
 
-/// Draws any candidate of a look-up, accepted or not: the same, with its verdict, and frames about
+/// Draws any candidate of a query, accepted or not: the same, with its verdict, and frames about
 /// the objects that were expected and are missing. Throws as above.
 std::string candidate_svg(const RecognitionRun& run, std::size_t index,
                           const topobag::CandidateReport& candidate);

@@ -45,7 +45,7 @@ topobag::Trajectory read_frame_poses(const std::string& path) {
     const double stamp = csv.seconds(timestamp);
     const auto T_world_camera = pose.read();
     if (!T_world_camera) throw csv.error("the frame has no pose");
-    if (!trajectory.empty() && !(stamp > trajectory.back().stamp_s)) {
+    if (!trajectory.empty() && !(stamp > trajectory.back().stamp)) {
       throw csv.error("the timestamp is not later than the one before");
     }
     trajectory.push_back({stamp, *T_world_camera});
@@ -104,7 +104,7 @@ std::string span_text(const topobag::Trajectory& trajectory) {
   text.precision(15);
   text << trajectory.size() << " poses";
   if (!trajectory.empty()) {
-    text << " from " << trajectory.front().stamp_s << " to " << trajectory.back().stamp_s << " s";
+    text << " from " << trajectory.front().stamp << " to " << trajectory.back().stamp << " s";
   }
   return text.str();
 }

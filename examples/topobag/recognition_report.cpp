@@ -32,8 +32,8 @@ Json times_json(const std::optional<QueryTimes>& ms) {
 }
 
 Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCatalog& catalog) {
-  const LookUp& look_up = run.look_ups[i];
-  const topobag::CandidateReport& match = *look_up.recognition.accepted;
+  const QueryRecord& record = run.records[i];
+  const topobag::CandidateReport& match = *record.recognition.accepted;
   Json objects = Json::object();
   for (const auto& [label, count] : match.matched) objects[catalog.name(label)] = count;
   Json json{{"query_idx", run.queries[i].idx}};
@@ -41,11 +41,11 @@ Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCa
   json["score"] = match.score();
   json["matched"] = objects;
   json["pose_candidate_query"] = pose_numbers(match.pose->T_candidate_query);
-  if (look_up.error) {
-    json["translation_error_m"] = look_up.error->translation_m;
-    json["rotation_error_deg"] = look_up.error->rotation_deg;
+  if (record.error) {
+    json["translation_error_m"] = record.error->translation_m;
+    json["rotation_error_deg"] = record.error->rotation_deg;
   }
-  if (look_up.verdict) json["verdict"] = to_string(*look_up.verdict);
+  if (record.verdict) json["verdict"] = to_string(*record.verdict);
   if (match.confidence) json["confidence"] = *match.confidence;
   if (match.confidence && run.calibrated) {
     json["confidence_extrapolated"] = run.calibrated->calibration.is_extrapolated(match.score());
@@ -130,8 +130,8 @@ std::string to_json(const RecognitionRun& run) {
             {"query_ms", times_json(summary.query_ms)},
             {"matches", Json::array()}};
   if (run.calibrated) json["calibration"] = calibration_json(*run.calibrated);
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    if (run.look_ups[i].recognition) json["matches"].push_back(match_json(run, i, catalog));
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    if (run.records[i].recognition) json["matches"].push_back(match_json(run, i, catalog));
   }
   return output_text(json, true);
 }
@@ -168,7 +168,7 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
         << " m, " << std::setprecision(1) << *summary.median_rotation_error_deg << "°\n";
   }
   if (run.calibrated) out << calibration_lines(*run.calibrated);
-  if (summary.query_ms) out << "  look-up       " << times_text(*summary.query_ms) << '\n';
+  if (summary.query_ms) out << "  query         " << times_text(*summary.query_ms) << '\n';
   return out.str();
 }
 
@@ -176,15 +176,15 @@ std::string to_lines(const RecognitionRun& run) {
   const topobag::ClassCatalog& catalog = run.classes.catalog;
   std::ostringstream out;
   out << std::fixed;
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    const LookUp& look_up = run.look_ups[i];
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const QueryRecord& record = run.records[i];
     const Keyframe& query = run.queries[i];
     out << name_of(query) << ", " << query.graph.size() << " objects: ";
-    if (!look_up.is_query()) {
-      out << (look_up.recognition.usable ? "nothing to compare with" : "no usable graph") << '\n';
+    if (!record.is_query()) {
+      out << (record.recognition.usable ? "nothing to compare with" : "no usable graph") << '\n';
       continue;
     }
-    const topobag::CandidateReport& best = look_up.best();
+    const topobag::CandidateReport& best = record.best();
     const Keyframe& candidate = run.map[topobag::value(best.id)];
     out << to_string(best.verdict);
     if (best.pose) {
@@ -195,11 +195,11 @@ std::string to_lines(const RecognitionRun& run) {
         out << "; as well: map " << name_of(run.map[topobag::value(best.rival->id)]);
       }
     }
-    if (look_up.error) {
-      out << "; off by " << look_up.error->translation_m << " m, " << std::setprecision(1)
-          << look_up.error->rotation_deg << "°";
+    if (record.error) {
+      out << "; off by " << record.error->translation_m << " m, " << std::setprecision(1)
+          << record.error->rotation_deg << "°";
     }
-    if (look_up.verdict) out << ": " << to_string(*look_up.verdict);
+    if (record.verdict) out << ": " << to_string(*record.verdict);
     out << '\n';
   }
   return out.str();

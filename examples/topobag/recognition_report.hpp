@@ -10,7 +10,7 @@ namespace program {
 /// In a word.
 const char* to_string(topobag::PoseVerdict verdict);
 
-/// "median 1.20 ms, mean …": what look-ups took.
+/// "median 1.20 ms, mean …": what queries took.
 std::string times_text(const QueryTimes& ms);
 
 /// A scored run for machines: the figures and every accepted match.

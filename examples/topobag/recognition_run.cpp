@@ -41,11 +41,11 @@ std::string name_of(const std::string& set) {
 
 void require_queries(const RecognitionRun& run) {
   std::size_t unusable = 0;
-  for (const LookUp& look_up : run.look_ups) {
-    if (look_up.is_query()) return;
-    if (!look_up.recognition.usable) ++unusable;
+  for (const QueryRecord& record : run.records) {
+    if (record.is_query()) return;
+    if (!record.recognition.usable) ++unusable;
   }
-  const std::size_t all = run.look_ups.size();
+  const std::size_t all = run.records.size();
   throw InputError(run.query_set,
                    "none of the " + std::to_string(all) +
                        " key frames could be looked up: " + std::to_string(unusable) +
@@ -95,12 +95,12 @@ JudgedMatch judge_match(const RecognitionRun& run, std::size_t query,
 
 void score(RecognitionRun& run, const Scoring& scoring) {
   if (scoring.place_radius) require_poses(run, "--place-radius");
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    LookUp& look_up = run.look_ups[i];
-    if (!look_up.recognition) continue;
-    const JudgedMatch judged = judge_match(run, i, *look_up.recognition.accepted, scoring);
-    look_up.error = judged.error;
-    look_up.verdict = judged.verdict;
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    QueryRecord& record = run.records[i];
+    if (!record.recognition) continue;
+    const JudgedMatch judged = judge_match(run, i, *record.recognition.accepted, scoring);
+    record.error = judged.error;
+    record.verdict = judged.verdict;
   }
 }
 
@@ -109,19 +109,19 @@ RunSummary summarize(const RecognitionRun& run) {
   std::vector<double> translations;
   std::vector<double> rotations;
   std::vector<double> times;
-  for (const LookUp& look_up : run.look_ups) {
-    if (!look_up.is_query()) continue;
+  for (const QueryRecord& record : run.records) {
+    if (!record.is_query()) continue;
     ++summary.queries;
-    times.push_back(look_up.milliseconds);
-    if (!look_up.recognition.accepted) continue;
+    times.push_back(record.milliseconds);
+    if (!record.recognition.accepted) continue;
     ++summary.accepted;
-    if (look_up.verdict == topobag::PoseVerdict::correct) ++summary.correct;
-    if (look_up.verdict == topobag::PoseVerdict::imprecise) ++summary.imprecise;
-    if (look_up.verdict == topobag::PoseVerdict::wrong) ++summary.wrong;
-    if (!look_up.verdict) ++summary.unscored;
-    if (!look_up.error) continue;
-    translations.push_back(look_up.error->translation_m);
-    rotations.push_back(look_up.error->rotation_deg);
+    if (record.verdict == topobag::PoseVerdict::correct) ++summary.correct;
+    if (record.verdict == topobag::PoseVerdict::imprecise) ++summary.imprecise;
+    if (record.verdict == topobag::PoseVerdict::wrong) ++summary.wrong;
+    if (!record.verdict) ++summary.unscored;
+    if (!record.error) continue;
+    translations.push_back(record.error->translation_m);
+    rotations.push_back(record.error->rotation_deg);
   }
   summary.median_translation_error_m = median(std::move(translations));
   summary.median_rotation_error_deg = median(std::move(rotations));

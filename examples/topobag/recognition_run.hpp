@@ -15,7 +15,7 @@
 
 namespace program {
 
-/// A candidate of a look-up as tables tell of it.
+/// A candidate of a query as tables tell of it.
 struct TriedCandidate {
   std::size_t candidate = 0;  ///< position in the map
   topobag::Verdict verdict = topobag::Verdict::no_agreement;
@@ -25,7 +25,7 @@ struct TriedCandidate {
   std::optional<double> score{};  ///< of its pose
 };
 
-/// What is kept of a look-up's candidates: a report of each takes kilobytes.
+/// What is kept of a query's candidates: a report of each takes kilobytes.
 enum class KeptCandidates {
   best,     ///< the report of the best alone
   tried,    ///< that, and a `TriedCandidate` of each
@@ -33,7 +33,7 @@ enum class KeptCandidates {
 };
 
 /// What came of one key frame that was looked up.
-struct LookUp {
+struct QueryRecord {
   topobag::Recognition recognition;  ///< its ids are positions in the map; the best candidate
                                      ///< alone, unless all reports are kept
   double milliseconds = 0.0;         ///< of the query call alone
@@ -66,7 +66,7 @@ struct RecognitionRun {
   std::vector<Keyframe> map;
   std::vector<Keyframe> queries;
   KeptCandidates kept = KeptCandidates::best;
-  std::vector<LookUp> look_ups;               ///< parallel to `queries`
+  std::vector<QueryRecord> records;           ///< parallel to `queries`
   std::size_t in_map = 0;                     ///< queries that are key frames of the map itself
   std::optional<CalibratedRun> calibrated{};  ///< where the decision was
   ObjectClasses classes{};                    ///< of the map's and the queries' objects
@@ -107,7 +107,7 @@ JudgedMatch judge_match(const RecognitionRun& run, std::size_t query,
 /// and a pose is not known.
 void score(RecognitionRun& run, const Scoring& scoring);
 
-/// What look-ups took, ms.
+/// What queries took, ms.
 struct QueryTimes {
   double median = 0.0;
   double mean = 0.0;

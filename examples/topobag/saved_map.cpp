@@ -107,7 +107,18 @@ MapKind kind_of(const std::string& path) {
   throw InputError(path, "it is no map: neither an SQLite map nor a snapshot of topobag");
 }
 
+/// Of the file that is there, else of the one that its name asks for.
+bool is_sqlite_map(const std::string& path) {
+  return fs::exists(path) ? kind_of(path) == MapKind::sqlite : is_sqlite_name(path);
+}
+
 }  // namespace
+
+void require_session_name(const std::string& path, const std::string& session) {
+  topobag::require_utf8(session, "--session");
+  if (is_fleet_address(path) || is_sqlite_map(path)) return;
+  throw InputError("--session", "a snapshot keeps no names of sessions; write a map FILE.db");
+}
 
 Bag new_entries(const Bag& bag, const std::vector<Keyframe>& keyframes) {
   std::uint64_t first = 0;
@@ -142,7 +153,6 @@ SavedMap read_saved_map(const std::string& path, const topobag::ClassCatalog& ca
 void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, const topobag::ClassCatalog& catalog,
                      bool append) {
-  topobag::require_utf8(session, "--session");
   if (is_fleet_address(path)) {
     const Bag entries = new_entries(Bag(), keyframes);
     require_new(path, read_fleet_map(path, catalog).bag, entries);
@@ -155,11 +165,10 @@ void write_saved_map(const std::string& path, const std::string& session,
   if (exists && !append) {
     throw InputError(path, "it exists; give --append to go on mapping, or another name");
   }
-  const bool sqlite = exists ? kind_of(path) == MapKind::sqlite : is_sqlite_name(path);
   Bag bag = exists ? read_saved_map(path, catalog).bag : Bag();
   const Bag entries = new_entries(bag, keyframes);
   require_new(path, bag, entries);
-  if (sqlite) {
+  if (is_sqlite_map(path)) {
     extend_sqlite_map(path, session, entries, catalog);
   } else {
     extend_snapshot(path, std::move(bag), entries, catalog);

@@ -32,6 +32,10 @@ bool is_saved_map(const std::string& path);
 SavedMap read_saved_map(const std::string& path,
                         const topobag::ClassCatalog& catalog = topobag::ClassCatalog::coco80());
 
+/// Throws InputError where a map, there or to be, cannot keep what a session is called, and
+/// topobag::Error for what is no text.
+void require_session_name(const std::string& path, const std::string& session);
+
 /// Writes a session, whole or not at all: FILE.db becomes an SQLite map, any other name a snapshot;
 /// a map that is there stays what it is and has to be asked for with `append`. Who writes to the
 /// same map meanwhile waits. A fleet's server takes a session at any time.

@@ -88,7 +88,7 @@ std::string errors_csv(const std::map<int, topobag::SequenceScore>& scores) {
   text << "sequence,timestamp,ate_m,aoe_deg\n";
   for (const auto& [number, score] : scores) {
     for (std::size_t i = 0; i < score.errors.size(); ++i) {
-      text << number << ',' << score.pairs[i].stamp_s << ',' << score.errors[i].translation_m << ','
+      text << number << ',' << score.pairs[i].stamp << ',' << score.errors[i].translation_m << ','
            << score.errors[i].rotation_deg << '\n';
     }
   }

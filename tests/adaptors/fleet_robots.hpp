@@ -75,7 +75,8 @@ class SimulatedRobot {
   }
   std::optional<topobag::KeyframeId> some_id(std::mt19937& random) const {
     std::vector<topobag::KeyframeId> ids;
-    map_->bag().for_each([&](topobag::KeyframeId id, const auto&, const auto&) { ids.push_back(id); });
+    map_->bag().for_each(
+        [&](topobag::KeyframeId id, const auto&, const auto&) { ids.push_back(id); });
     if (ids.empty()) return std::nullopt;
     return ids[random() % ids.size()];
   }
@@ -124,7 +125,7 @@ inline void require_union(const topobag::FleetView& view, const FleetUnion& all,
       REQUIRE(found.size() == expected.size());
       for (std::size_t i = 0; i < found.size(); ++i) {
         REQUIRE(view.key(found[i].id) == keys[value(expected[i].id)]);
-        REQUIRE(found[i].score == expected[i].score);
+        REQUIRE(found[i].similarity == expected[i].similarity);
       }
     }
   }

@@ -60,7 +60,7 @@ TEST_CASE("what a robot pushes is in every follower's bag", "[fleet]") {
   REQUIRE(view->size() == 2);
   const auto found = view->query(*map.bag().find(KeyframeId{great}));
   REQUIRE(found.size() == 2);
-  CHECK(found.front().score > 0.99);
+  CHECK(found.front().similarity > 0.99);
   const FleetKey key = view->key(found.front().id);
   CHECK(key.site == "hall");
   CHECK(key.robot == robot);

@@ -109,7 +109,7 @@ TEST_CASE("a map keeps an indexed bag as well", "[sqlite]") {
     });
     found = map.bag().query(query);
     CHECK(found == model.query(query));
-    CHECK(found.front().score > 0.9);
+    CHECK(found.front().similarity > 0.9);
   }
   const SqliteBag<IndexedBag> again(path, read_only());
   CHECK(again.bag().query(query) == found);

@@ -16,7 +16,7 @@
 
 using namespace topobag;
 
-static_assert(is_look_up_bag_v<SqliteBag<>> && is_growing_bag_v<SqliteBag<>>);
+static_assert(is_searchable_bag_v<SqliteBag<>> && is_growing_bag_v<SqliteBag<>>);
 static_assert(is_stored_bag_v<SqliteBag<>> && is_durable_bag_v<SqliteBag<>>);
 
 TEST_CASE("loops are found in a map on disk as in one in memory, without a copy", "[sqlite]") {

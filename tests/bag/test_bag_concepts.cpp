@@ -38,7 +38,7 @@ struct Careless {
 template <typename Bag>
 std::string concepts_of() {
   std::string met;
-  if (is_look_up_bag_v<Bag>) met += "look-up ";
+  if (is_searchable_bag_v<Bag>) met += "searchable ";
   if (is_growing_bag_v<Bag>) met += "growing ";
   if (is_stored_bag_v<Bag>) met += "stored ";
   if (is_durable_bag_v<Bag>) met += "durable ";
@@ -48,11 +48,11 @@ std::string concepts_of() {
 }  // namespace
 
 TEST_CASE("the library's bags fit what it asks of bags", "[bag]") {
-  CHECK(concepts_of<BagOfTopologyGraphs<>>() == "look-up growing stored durable ");
+  CHECK(concepts_of<BagOfTopologyGraphs<>>() == "searchable growing stored durable ");
   CHECK(concepts_of<BagOfTopologyGraphs<TopologyGraph<float>>>() ==
-        "look-up growing stored durable ");
-  CHECK(concepts_of<IndexedBag>() == "look-up growing stored durable ");
-  CHECK(concepts_of<BagView>() == "look-up stored ");
+        "searchable growing stored durable ");
+  CHECK(concepts_of<IndexedBag>() == "searchable growing stored durable ");
+  CHECK(concepts_of<BagView>() == "searchable stored ");
 }
 
 TEST_CASE("what is no bag of topology graphs does not fit", "[bag]") {

@@ -39,7 +39,7 @@ std::vector<std::pair<double, std::uint64_t>> expected(const std::map<std::uint6
   std::vector<std::pair<double, std::uint64_t>> found;
   for (const auto& [id, entry] : model) {
     const double score = Similarity{}(query, entry.graph);
-    if (score < options.min_score) continue;
+    if (score < options.min_similarity) continue;
     if (options.exclude.contains(KeyframeId{id}, entry.info)) continue;
     if (options.filter && !options.filter(KeyframeId{id}, entry.info)) continue;
     found.emplace_back(-score, id);
@@ -55,7 +55,7 @@ void check_query(const BagOfTopologyGraphs<Graph, Similarity>& bag,
                  const QueryOptions& options) {
   std::vector<std::pair<double, std::uint64_t>> found;
   for (const Candidate& candidate : bag.query(query, options)) {
-    found.emplace_back(-candidate.score, value(candidate.id));
+    found.emplace_back(-candidate.similarity, value(candidate.id));
   }
   CHECK(found == expected<Similarity>(model, query, options));
 }
@@ -98,7 +98,7 @@ TEMPLATE_TEST_CASE("a bag behaves like a map that is sorted for each query", "[b
       } else {
         QueryOptions options;
         options.max_results = size(random);
-        options.min_score = what == 8 ? 0.0 : 0.3;
+        options.min_similarity = what == 8 ? 0.0 : 0.3;
         if (step % 2 == 0) options.exclude.id = key;
         options.exclude.min_id_gap = 4;
         if (step % 3 == 0) options.exclude.stamp = static_cast<double>(id);

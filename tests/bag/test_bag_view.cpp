@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include <topobag/bag/bag_view.hpp>
-#include <topobag/bag/detail/common_mass.hpp>
+#include <topobag/bag/detail/index/common_mass.hpp>
 #include <topobag/bag/indexed_bag.hpp>
 #include <topobag/bag/snapshot.hpp>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <topobag/bag/detail/node_scan.hpp>
+#include <topobag/bag/detail/codec/node_scan.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/indexed_bag.hpp>
 #include <topobag/bag/snapshot.hpp>

@@ -27,7 +27,7 @@ Graph stored(const Graph& graph) { return decode<double>(encode(graph)); }
 QueryOptions random_options(RecombinedGraphs& source, std::uint64_t ids) {
   QueryOptions options;
   options.max_results = source.chance(0.7) ? 10 : source.below(40);
-  if (source.chance(0.3)) options.min_score = source.unit();
+  if (source.chance(0.3)) options.min_similarity = source.unit();
   if (source.chance(0.6)) return options;
   const std::uint64_t id = source.below(ids);
   switch (source.below(6)) {
@@ -188,9 +188,9 @@ TEST_CASE("ties of equal graphs, and of graphs with nothing in common, go by id"
   const std::uint64_t wanted[] = {7, 107, 207, 307, 407, 0, 1};
   for (std::size_t i = 0; i < 7; ++i) {
     CHECK(value(found[i].id) == wanted[i]);
-    CHECK(found[i].score == (i < 5 ? 1.0 : 0.0));
+    CHECK(found[i].similarity == (i < 5 ? 1.0 : 0.0));
   }
-  options.min_score = 1e-9;
+  options.min_similarity = 1e-9;
   CHECK(bag.query(stored(graph), options).size() == 5);
   options.max_results = 0;
   CHECK(bag.query(graph, options).empty());
@@ -234,7 +234,7 @@ TEST_CASE("a least score beyond those there are is no trap", "[bag][index]") {
                              1e300, Limits::infinity(), Limits::quiet_NaN()}) {
     for (const std::size_t results : {1u, 10u, 1000u}) {
       QueryOptions options;
-      options.min_score = least;
+      options.min_similarity = least;
       options.max_results = results;
       const Graph query = source.keyframe(source.place());
       CHECK(bag.query(query, options) == oracle.query(query, options));

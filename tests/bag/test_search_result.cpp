@@ -19,7 +19,7 @@ TEST_CASE("most graphs are never touched", "[bag][index]") {
     const auto place = source.place();
     const SearchResult result = bag.view()->search(source.keyframe(place));
     CHECK(result.exact);
-    CHECK(result.missed_score == 0.0);
+    CHECK(result.missed_similarity == 0.0);
     CHECK(result.entries == 3000);
     CHECK(result.untouched() == 3000 - result.visited);
     visited += result.visited;
@@ -37,22 +37,22 @@ TEST_CASE("a search on a budget bounds what it missed", "[bag][index]") {
     all.max_results = bag.size();
     std::map<KeyframeId, double> scores;
     for (const Candidate& candidate : oracle.query(query, all)) {
-      scores.emplace(candidate.id, candidate.score);
+      scores.emplace(candidate.id, candidate.similarity);
     }
     for (const std::size_t budget : {0u, 1u, 20u, 100u, 300u, 600u}) {
       const SearchResult result = bag.view()->search(query, {}, budget);
       CHECK(result.visited <= budget);
       CHECK(result.candidates == bag.view()->search(query, {}, budget).candidates);
       for (const Candidate& candidate : result.candidates) {
-        CHECK(candidate.score == scores.at(candidate.id));
+        CHECK(candidate.similarity == scores.at(candidate.id));
       }
       for (const Candidate& best : oracle.query(query)) {
         const auto& found = result.candidates;
         if (std::find(found.begin(), found.end(), best) != found.end()) continue;
         CHECK_FALSE(result.exact);
-        CHECK(best.score <= result.missed_score);
+        CHECK(best.similarity <= result.missed_similarity);
       }
-      CHECK(result.missed_score <= 1.0);
+      CHECK(result.missed_similarity <= 1.0);
       if (budget >= bag.size()) CHECK(result.exact);
     }
   }

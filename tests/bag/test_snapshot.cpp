@@ -75,7 +75,7 @@ TEST_CASE("bags of another scalar and with another similarity come back, too", "
   const Other other = load<Other>(stream, 0, Other(SameSize{0.25}));
   REQUIRE(other.size() == 5);
   const auto graph = *other.find(KeyframeId{0});
-  CHECK(other.query(graph).at(0).score == 0.25);
+  CHECK(other.query(graph).at(0).similarity == 0.25);
   std::istringstream again(saved(other));
   CHECK(inspect(again).scalar_bytes == 4);
 }

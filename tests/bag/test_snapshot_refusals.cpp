@@ -101,7 +101,7 @@ TEST_CASE("a small file of many nodes makes no room for their pairs", "[bag][sna
   detail::put_column(graph, detail::Column(nodes, 127), detail::vouching_width);
   detail::put_column(graph, detail::Column(nodes, 0));  // class
   detail::put_column(graph, detail::Column(nodes, 127));
-  detail::put_column(graph, detail::Column(nodes, detail::NodeColumns::has_position));
+  detail::put_column(graph, detail::Column(nodes, detail::has_position));
   for (int column = 0; column < 5; ++column) {  // size and position
     detail::put_column(graph, detail::Column(nodes, 0));
   }

@@ -22,6 +22,6 @@ int main() {
   BagOfTopologyGraphs<> bag;
   bag.add(KeyframeId{7}, make_topology_graph(lifted.nodes, KnnEdges{}));
   const auto found = bag.query(*bag.find(KeyframeId{7}));
-  if (found.size() != 1 || found[0].id != KeyframeId{7} || found[0].score < 0.999) return 1;
+  if (found.size() != 1 || found[0].id != KeyframeId{7} || found[0].similarity < 0.999) return 1;
   std::cout << "topobag " << TOPOBAG_VERSION_MAJOR << '.' << TOPOBAG_VERSION_MINOR << ": found\n";
 }

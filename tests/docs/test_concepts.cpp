@@ -150,7 +150,7 @@ class ListBag {
     std::vector<Candidate> found;
     for (const auto& [id, entry] : entries_) {
       const double score = NodeCount{}(graph, entry.first);
-      if (options.admits(id, entry.second) && score >= options.min_score) {
+      if (options.admits(id, entry.second) && score >= options.min_similarity) {
         found.push_back({id, score});
       }
     }
@@ -205,7 +205,7 @@ class SharedBag {
   std::shared_ptr<const ListBag> view_ = std::make_shared<ListBag>();
 };
 
-static_assert(is_look_up_bag_v<ListBag> && !is_look_up_bag_v<SharedBag>);
+static_assert(is_searchable_bag_v<ListBag> && !is_searchable_bag_v<SharedBag>);
 static_assert(is_growing_bag_v<ListBag> && is_growing_bag_v<SharedBag>);
 static_assert(is_stored_bag_v<ListBag> && !is_stored_bag_v<SharedBag>);
 static_assert(is_durable_bag_v<ListBag> && !is_durable_bag_v<SharedBag>);
@@ -293,11 +293,11 @@ TEST_CASE("concepts: an edge builder and a similarity", "[docs]") {
 
   BagOfTopologyGraphs<TopologyGraph<>, NodeCount> bag{NodeCount{}};
   bag.add(KeyframeId{1}, graph);
-  CHECK(bag.query(room(2)).at(0).score == 1.0);
+  CHECK(bag.query(room(2)).at(0).similarity == 1.0);
 
   BagOfTopologyGraphs<Sentence, SameLength> sentences;
   sentences.add(KeyframeId{1}, "two words");
-  CHECK(sentences.query("twowords!").at(0).score == 1.0);
+  CHECK(sentences.query("twowords!").at(0).similarity == 1.0);
 }
 
 TEMPLATE_TEST_CASE("concepts: a bag to look up in, and one to add to", "[docs]", ListBag,
@@ -322,8 +322,8 @@ TEST_CASE("concepts: a bag to explain, calibrate, save and rebuild", "[docs]") {
             .usable);
   const OtherPlaces never = [](KeyframeId, KeyframeId) { return false; };
   CalibrateOptions few;
-  few.null_look_ups = 2;
-  CHECK(calibrate(relocalizer, {KeyframeId{7}}, never, few).look_ups() == 2);
+  few.null_queries = 2;
+  CHECK(calibrate(relocalizer, {KeyframeId{7}}, never, few).queries() == 2);
 
   std::stringstream file;
   save(relocalizer.map(), file);

@@ -42,13 +42,13 @@ TEST_CASE("from DBoW2: add, query, find, erase", "[docs]") {
   CHECK(best[0] == Candidate{KeyframeId{3}, 1.0});
 
   options.max_results = bag.size();    // all, as DBoW2's max_results <= 0
-  options.min_score = 1e-9;            // none without anything in common
+  options.min_similarity = 1e-9;       // none without anything in common
   options.exclude.id = KeyframeId{3};  // the query's own id,
   options.exclude.min_id_gap = 10;     // and its neighbours
   for (const Candidate& candidate : bag.query(graph, options)) {
     CHECK(value(candidate.id) >= 13);
     CHECK(value(candidate.id) <= 29);
-    CHECK(candidate.score > 0.0);
+    CHECK(candidate.similarity > 0.0);
   }
 
   bag.update(KeyframeId{3}, graphs[4]);
@@ -72,7 +72,7 @@ TEST_CASE("from DBoW2: score, weights, transform", "[docs]") {
   tf_idf.weights = ClassWeights::idf(graphs);  // of other places than the map's
   BagOfTopologyGraphs<TopologyGraph<>, ClassHistogram> bag(tf_idf);
   bag.add(KeyframeId{0}, p);
-  CHECK(bag.query(q).front().score == tf_idf(q, p));
+  CHECK(bag.query(q).front().similarity == tf_idf(q, p));
 }
 
 TEST_CASE("from DBoW2: the direct index", "[docs]") {

@@ -12,7 +12,7 @@ TEST_CASE("estimates are paired with the truth at their own time", "[evaluation]
   const Trajectory estimate{{-1.0, {}}, {1.0, {}}, {3.2, {}}, {9.0, {}}};
   const auto pairs = associate(truth, estimate);
   REQUIRE(pairs.size() == 2);
-  CHECK(pairs[0].stamp_s == 1.0);
+  CHECK(pairs[0].stamp == 1.0);
   CHECK(pairs[0].T_true.translation().x() == Approx(2.5));
   CHECK(pairs[1].T_true.translation().x() == Approx(8.0));
   CHECK(associate(truth, estimate, 0.2).size() == 1);

@@ -31,9 +31,9 @@ TEST_CASE("headers with and without a space, 8 or 9 numbers, any order of stamps
   CHECK(file.sequences.at(7).empty());
   const Trajectory& first = file.sequences.at(1);
   REQUIRE(first.size() == 2);
-  CHECK(first[0].stamp_s == 2.5);
+  CHECK(first[0].stamp == 2.5);
   CHECK(first[0].T_world_body.translation().x() == 2.0);
-  CHECK(first[1].stamp_s == 3.5);
+  CHECK(first[1].stamp == 3.5);
   CHECK(first[1].T_world_body.translation().x() == 1.0);
 }
 

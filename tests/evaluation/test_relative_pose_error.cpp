@@ -50,7 +50,7 @@ TEST_CASE("longer steps, from every pose or end to end", "[evaluation]") {
 
 TEST_CASE("a step that no pose ends within the tolerance is left out", "[evaluation]") {
   auto pairs = drive(6);
-  pairs[3].stamp_s = 1.56;  // instead of 1.5
+  pairs[3].stamp = 1.56;  // instead of 1.5
   CHECK(relative_pose_errors(pairs, {Unit::seconds, 0.5, 0.1, true}).size() == 3);
   CHECK(relative_pose_errors(pairs, {Unit::seconds, 0.5, 0.13, true}).size() == 5);
 }
@@ -71,7 +71,7 @@ TEST_CASE("the end of a step is the nearest pose, found by trying all", "[evalua
       std::size_t best = i;
       double miss = std::numeric_limits<double>::infinity();
       for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-        const double m = std::abs(pairs[j].stamp_s - (pairs[i].stamp_s + 2.0));
+        const double m = std::abs(pairs[j].stamp - (pairs[i].stamp + 2.0));
         if (m < miss) {
           miss = m;
           best = j;
@@ -92,8 +92,8 @@ TEST_CASE("the end of a step is the nearest pose, found by trying all", "[evalua
 
 TEST_CASE("of two poses as near to the end of a step the earlier ends it", "[evaluation]") {
   auto pairs = drive(3);
-  pairs[1].stamp_s = 0.75;
-  pairs[2].stamp_s = 1.25;
+  pairs[1].stamp = 0.75;
+  pairs[2].stamp = 1.25;
   const auto errors = relative_pose_errors(pairs, {Unit::seconds, 1.0, 0.25, true});
   REQUIRE(errors.size() == 1);
   CHECK(errors[0].translation_m == Approx(0.1));

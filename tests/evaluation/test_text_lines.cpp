@@ -80,7 +80,7 @@ TEST_CASE("a trajectory reads alike with commas, a mark, Windows' line ends and 
   std::istringstream stream("\xEF\xBB\xBF# t x\r\n+1.0,0,0,0,0,0,0,1\r\n\r\n2 1 0 0 0 0 0 1\r\n");
   const Trajectory trajectory = read_tum(stream, "a.txt");
   REQUIRE(trajectory.size() == 2);
-  CHECK(trajectory[0].stamp_s == 1.0);
+  CHECK(trajectory[0].stamp == 1.0);
   CHECK(trajectory[1].T_world_body.translation().x() == 1.0);
   std::istringstream nanoseconds("1305031102175304000 0 0 0 0 0 0 1\n");
   CHECK(error_text([&] { read_tum(nanoseconds, "ns.txt"); }).find("ns.txt:1: the time stamp") == 0);

@@ -32,7 +32,7 @@ TEST_CASE("a TUM trajectory with comments, blanks, tabs and CR LF", "[evaluation
       "# timestamp tx ty tz qx qy qz qw\r\n\r\n1305031102.1758 1.5 -2e-1 3 0 0 0.7071 0.7071\r\n"
       "\t1305031102.2 0 0 0\t0 0 0 -1");
   REQUIRE(trajectory.size() == 2);
-  CHECK(trajectory[0].stamp_s == 1305031102.1758);
+  CHECK(trajectory[0].stamp == 1305031102.1758);
   CHECK(trajectory[0].T_world_body.translation() == Eigen::Vector3d(1.5, -0.2, 3.0));
   CHECK(trajectory[0].T_world_body.linear().col(0).isApprox(Eigen::Vector3d::UnitY()));
   CHECK(trajectory[0].T_world_body.linear().determinant() == Approx(1.0).epsilon(1e-14));
@@ -69,7 +69,7 @@ TEST_CASE("what is written is read back", "[evaluation]") {
   const Trajectory again = tum_poses(text.str());
   REQUIRE(again.size() == trajectory.size());
   for (std::size_t i = 0; i < again.size(); ++i) {
-    CHECK(again[i].stamp_s == trajectory[i].stamp_s);
+    CHECK(again[i].stamp == trajectory[i].stamp);
     CHECK(again[i].T_world_body.translation() == trajectory[i].T_world_body.translation());
     CHECK(again[i].T_world_body.linear().isApprox(trajectory[i].T_world_body.linear(), 1e-14));
   }

@@ -31,7 +31,7 @@ TEST_CASE("a calibrated decision reports what it rests on", "[examples]") {
   const CalibrationJson& calibration = report.at("calibration");
   CHECK(calibration.at("false_accept_rate") == 0.02);
   CHECK(calibration.at("source") == "null model");
-  CHECK(calibration.at("look_ups") == 400);
+  CHECK(calibration.at("queries") == 400);
   CHECK(calibration.at("extrapolated") == false);
   CHECK(calibration.at("certain_negatives") < 200);  // it is a map of one desk
   CHECK(calibration.contains("warning"));
@@ -60,7 +60,7 @@ TEST_CASE("what was learnt is kept and used again", "[examples]") {
   const CalibrationJson again = calibrated_run(localize + "--calibration " + file);
   CHECK(again.at("calibration") == learnt.at("calibration"));
   CHECK(again.at("matches") == learnt.at("matches"));
-  CHECK(topobag::parse_calibration(program::read_file(file)).look_ups() == 400);
+  CHECK(topobag::parse_calibration(program::read_file(file)).queries() == 400);
 
   const std::string frame = std::to_string(learnt.at("matches").at(0).at("query_idx").get<int>());
   const CalibrationJson explained = calibrated_run("explain " + calibrated_tables + rate +
@@ -83,7 +83,7 @@ TEST_CASE("loops are calibrated by the poses of their table", "[examples]") {
   }
   CHECK(calibrated_run(loops + "--calibration " + file).at("calibration") == calibration);
   const ProgramRun table = run_program(loops + "--calibration " + file + sample_options);
-  CHECK(table.out.find("for a false-accept rate of 0.02 from 400 look-ups (null model)") !=
+  CHECK(table.out.find("for a false-accept rate of 0.02 from 400 queries (null model)") !=
         std::string::npos);
 }
 

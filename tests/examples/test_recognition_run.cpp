@@ -14,23 +14,23 @@ Keyframe keyframe_at(std::optional<double> x) {
   return keyframe;
 }
 
-/// A look-up that took `milliseconds` and accepted map key frame 0 at `x` m from it.
-LookUp accepted_at(double x, double milliseconds) {
-  LookUp look_up;
+/// A query that took `milliseconds` and accepted map key frame 0 at `x` m from it.
+QueryRecord accepted_at(double x, double milliseconds) {
+  QueryRecord record;
   topobag::CandidateReport report;
   report.pose = topobag::RelativePose{};
   report.pose->T_candidate_query = Eigen::Translation3d(x, 0.0, 0.0);
-  look_up.recognition = {report, {report}, true};
-  look_up.milliseconds = milliseconds;
-  return look_up;
+  record.recognition = {report, {report}, true};
+  record.milliseconds = milliseconds;
+  return record;
 }
 
-LookUp rejected(bool usable, bool with_candidate) {
-  LookUp look_up;
-  look_up.recognition.usable = usable;
-  if (with_candidate) look_up.recognition.candidates.emplace_back();
-  look_up.milliseconds = 100.0;
-  return look_up;
+QueryRecord rejected(bool usable, bool with_candidate) {
+  QueryRecord record;
+  record.recognition.usable = usable;
+  if (with_candidate) record.recognition.candidates.emplace_back();
+  record.milliseconds = 100.0;
+  return record;
 }
 
 /// Four queries at 1 m from the map's key frame, matched at 1.1, 1.5, 3 and 1 m (the last without
@@ -38,10 +38,10 @@ LookUp rejected(bool usable, bool with_candidate) {
 RecognitionRun sample_run() {
   RecognitionRun run;
   run.map = {keyframe_at(10.0)};
-  run.look_ups = {accepted_at(1.1, 1),   accepted_at(1.5, 2),  accepted_at(3.0, 3),
-                  accepted_at(1.0, 4),   rejected(true, true), rejected(true, false),
-                  rejected(false, false)};
-  run.queries.assign(run.look_ups.size(), keyframe_at(11.0));
+  run.records = {accepted_at(1.1, 1),   accepted_at(1.5, 2),  accepted_at(3.0, 3),
+                 accepted_at(1.0, 4),   rejected(true, true), rejected(true, false),
+                 rejected(false, false)};
+  run.queries.assign(run.records.size(), keyframe_at(11.0));
   run.queries[3] = keyframe_at(std::nullopt);
   return run;
 }
@@ -60,23 +60,23 @@ TEST_CASE("key frames of the map itself are counted among the queries", "[exampl
 TEST_CASE("a run without a query says why", "[examples]") {
   RecognitionRun run;
   run.query_set = "set";
-  run.look_ups = {rejected(true, false), rejected(false, false), rejected(false, false)};
+  run.records = {rejected(true, false), rejected(false, false), rejected(false, false)};
   CHECK(error_text([&] {
           require_queries(run);
         }).find("set: none of the 3 key frames could be looked up: 2 have no usable graph, 1 ") ==
         0);
-  run.look_ups.push_back(rejected(true, true));
+  run.records.push_back(rejected(true, true));
   CHECK_NOTHROW(require_queries(run));
 }
 
 TEST_CASE("accepted matches are scored on three levels", "[examples]") {
   RecognitionRun run = sample_run();
   score(run, {});
-  CHECK(run.look_ups[0].verdict == PoseVerdict::correct);
-  CHECK(run.look_ups[1].verdict == PoseVerdict::imprecise);
-  CHECK(run.look_ups[2].verdict == PoseVerdict::wrong);
-  CHECK_FALSE(run.look_ups[3].verdict);
-  CHECK_FALSE(run.look_ups[4].verdict);
+  CHECK(run.records[0].verdict == PoseVerdict::correct);
+  CHECK(run.records[1].verdict == PoseVerdict::imprecise);
+  CHECK(run.records[2].verdict == PoseVerdict::wrong);
+  CHECK_FALSE(run.records[3].verdict);
+  CHECK_FALSE(run.records[4].verdict);
   const RunSummary summary = summarize(run);
   CHECK(summary.queries == 5);
   CHECK(summary.accepted == 4);
@@ -115,17 +115,17 @@ TEST_CASE("between different places every accepted match is wrong, and has no er
 
 TEST_CASE("an even number of values has the mean of the middle two as median", "[examples]") {
   RecognitionRun run = sample_run();
-  run.look_ups.resize(4);
+  run.records.resize(4);
   CHECK(summarize(run).query_ms->median == 2.5);
-  run.look_ups.clear();
+  run.records.clear();
   CHECK_FALSE(summarize(run).query_ms);
 }
 
-TEST_CASE("95 % of the look-ups took no longer than the 95th of 100", "[examples]") {
+TEST_CASE("95 % of the queries took no longer than the 95th of 100", "[examples]") {
   RecognitionRun run;
-  for (int ms = 100; ms >= 1; --ms) run.look_ups.push_back(accepted_at(0.0, ms));
+  for (int ms = 100; ms >= 1; --ms) run.records.push_back(accepted_at(0.0, ms));
   CHECK(summarize(run).query_ms->percentile_95 == 95.0);
-  run.look_ups.push_back(accepted_at(0.0, 101));
+  run.records.push_back(accepted_at(0.0, 101));
   CHECK(summarize(run).query_ms->percentile_95 == 96.0);
 }
 
@@ -135,11 +135,11 @@ TEST_CASE("a match of cameras farther apart than the place is wide is wrong", "[
   Scoring scoring;
   scoring.place_radius = 1.1;
   score(run, scoring);
-  CHECK(run.look_ups[0].verdict == PoseVerdict::correct);
+  CHECK(run.records[0].verdict == PoseVerdict::correct);
   scoring.place_radius = 0.9;
   score(run, scoring);
   CHECK(summarize(run).wrong == 4);
-  CHECK(run.look_ups[0].error);  // which is told all the same
+  CHECK(run.records[0].error);  // which is told all the same
   run.queries[3] = keyframe_at(std::nullopt);
   CHECK(error_text([&] { score(run, scoring); }).find("has no pose, which --place-radius needs") !=
         std::string::npos);

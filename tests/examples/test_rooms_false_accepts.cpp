@@ -33,7 +33,7 @@ std::vector<std::vector<program::Keyframe>> by_room(std::vector<program::Keyfram
   return rooms;
 }
 
-/// A map that grows, and what look-ups of places that it does not hold came to.
+/// A map that grows, and what queries of places that it does not hold came to.
 class GrowingMap {
  public:
   explicit GrowingMap(std::vector<TopologyGraph<>> queries)
@@ -46,7 +46,7 @@ class GrowingMap {
     relocalizer_.map().add(KeyframeId{relocalizer_.map().size()}, graph, info);
   }
 
-  /// Look-ups that are accepted, of `queries()`.
+  /// Queries that are accepted, of `queries()`.
   std::size_t false_accepts() const {
     std::size_t accepted = 0;
     for (const auto& query : queries_) accepted += relocalizer_.localize(query) ? 1U : 0U;
@@ -81,14 +81,14 @@ std::vector<TopologyGraph<>> some_graphs(const std::vector<program::Keyframe>& k
 
 }  // namespace
 
-TEST_CASE("the rate of false accepts is at most 1 in 300 look-ups, however large the map",
+TEST_CASE("the rate of false accepts is at most 1 in 300 queries, however large the map",
           "[examples][long]") {
   const char* const data = std::getenv("TOPOBAG_DATA");
   if (data == nullptr) {
     std::cout << "Skips the rooms: TOPOBAG_DATA is not set.\n";
     return;
   }
-  std::size_t look_ups = 0;
+  std::size_t records = 0;
   std::vector<std::size_t> accepted(4);
   for (const double window : {0.0, 3.0}) {
     PlaceRun run;
@@ -101,7 +101,7 @@ TEST_CASE("the rate of false accepts is at most 1 in 300 look-ups, however large
     const auto rooms = by_room(keyframes_of(run, true));
     REQUIRE(rooms.size() == 84);
     GrowingMap map(some_graphs(keyframes_of(run, false), long_rounds(600)));
-    look_ups += map.queries();
+    records += map.queries();
     const auto measure = [&](std::size_t stage, const char* what) {
       const std::size_t here = map.false_accepts();
       accepted[stage] += here;
@@ -133,5 +133,5 @@ TEST_CASE("the rate of false accepts is at most 1 in 300 look-ups, however large
     }
     measure(3, "and 500 made-up places");
   }
-  for (const std::size_t stage : accepted) CHECK(300 * stage <= look_ups);
+  for (const std::size_t stage : accepted) CHECK(300 * stage <= records);
 }

@@ -16,7 +16,7 @@ namespace {
 
 void check(const topobag::Trajectory& trajectory) {
   for (const auto& pose : trajectory) {
-    require(std::isfinite(pose.stamp_s), "a stamp is finite");
+    require(std::isfinite(pose.stamp), "a stamp is finite");
     require(pose.T_world_body.matrix().allFinite(), "a pose is finite");
   }
 }

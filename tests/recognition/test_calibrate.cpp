@@ -33,11 +33,11 @@ TEST_CASE("a map is calibrated by its own permuted layouts", "[recognition]") {
   Relocalizer<> relocalizer;
   const auto ids = fill(relocalizer, 6);
   CalibrateOptions options;
-  options.null_look_ups = 150;
+  options.null_queries = 150;
   const Calibration calibration = calibrate(relocalizer, ids, {}, options);
   CHECK(calibration.source() == CalibrationSource::null_model);
   CHECK(calibration.negatives() == 0);
-  CHECK(calibration.look_ups() == 150);
+  CHECK(calibration.queries() == 150);
   const Calibration again = calibrate(relocalizer, ids, {}, options);
   for (const double rate : {0.1, 0.02, 1e-4}) {
     CHECK(again.threshold(rate).score == calibration.threshold(rate).score);
@@ -48,16 +48,16 @@ TEST_CASE("certain negatives take the null model's place once there are enough",
   Relocalizer<> relocalizer;
   const auto ids = fill(relocalizer, 12);
   CalibrateOptions options;
-  options.null_look_ups = 20;
+  options.null_queries = 20;
   options.calibration.min_negatives = 13;
   const Calibration few = calibrate(relocalizer, ids, differ, options);
   CHECK(few.negatives() == 12);
   CHECK(few.source() == CalibrationSource::null_model);
-  CHECK(few.look_ups() == 20);
+  CHECK(few.queries() == 20);
   options.calibration.min_negatives = 12;
   const Calibration enough = calibrate(relocalizer, ids, differ, options);
   CHECK(enough.source() == CalibrationSource::certain_negatives);
-  CHECK(enough.look_ups() == 12);
+  CHECK(enough.queries() == 12);
   // Without an other place there is nothing to look among.
   CHECK(calibrate(
             relocalizer, ids, [](KeyframeId, KeyframeId) { return false; }, options)
@@ -70,7 +70,7 @@ TEST_CASE("negatives are looked up through the retrieval's own filter", "[recogn
   Relocalizer<> relocalizer(options);
   const auto ids = fill(relocalizer, 6);
   CalibrateOptions calibrating;
-  calibrating.null_look_ups = 0;
+  calibrating.null_queries = 0;
   // Key frame 0 has no other place that passes.
   CHECK(calibrate(relocalizer, ids, differ, calibrating).negatives() == 5);
 }
@@ -80,10 +80,10 @@ TEST_CASE("enough certain negatives are all that is learnt from", "[recognition]
   const auto ids = fill(relocalizer, 6);
   CalibrateOptions with_null, without;
   with_null.calibration.min_negatives = without.calibration.min_negatives = 6;
-  without.null_look_ups = 0;
+  without.null_queries = 0;
   const Calibration a = calibrate(relocalizer, ids, differ, with_null);
   const Calibration b = calibrate(relocalizer, ids, differ, without);
-  CHECK(a.look_ups() == 6);
+  CHECK(a.queries() == 6);
   for (const double rate : {0.5, 0.1, 0.01})
     CHECK(a.threshold(rate).score == b.threshold(rate).score);
   std::size_t asked = 0;  // how often the map is, through its filter
@@ -103,7 +103,7 @@ TEST_CASE("a calibrated decision asks for the score of its rate", "[recognition]
   Relocalizer<> relocalizer;
   const auto ids = fill(relocalizer, 6);
   CalibrateOptions calibrating;
-  calibrating.null_look_ups = 150;
+  calibrating.null_queries = 150;
   RecognitionOptions options;
   options.decision.calibration = calibrate(relocalizer, ids, {}, calibrating);
   options.decision.false_accept_rate = 0.02;
@@ -143,12 +143,12 @@ TEST_CASE("the rate holds on layouts that were not learnt from", "[recognition]"
   CHECK(accepted <= 32);  // 20 expected; three standard deviations
 }
 
-TEST_CASE("a look-up that compared nothing teaches nothing", "[recognition][regression]") {
+TEST_CASE("a query that compared nothing teaches nothing", "[recognition][regression]") {
   RecognitionOptions options;
-  options.retrieval.min_score = 2.0;  // nothing resembles so much
+  options.retrieval.min_similarity = 2.0;  // nothing resembles so much
   Relocalizer<> relocalizer(options);
   const Calibration calibration = calibrate(relocalizer, fill(relocalizer, 6));
-  CHECK(calibration.look_ups() == 0);
+  CHECK(calibration.queries() == 0);
   CHECK(calibration.threshold(0.01).extrapolated);
 }
 
@@ -191,7 +191,7 @@ std::vector<KeyframeId> fill_with_poses(Relocalizer<>& relocalizer, unsigned roo
 
 CalibrateOptions by_pose_alone(std::size_t keyframes) {
   CalibrateOptions options;
-  options.null_look_ups = 0;
+  options.null_queries = 0;
   options.calibration.min_negatives = keyframes;
   return options;
 }
@@ -273,14 +273,14 @@ TEST_CASE("draws are spread evenly over the whole map", "[recognition]") {
 
 TEST_CASE("the null model draws from the end of a long map too", "[recognition][regression]") {
   RecognitionOptions options;
-  options.max_candidates = 8;
+  options.retrieval.max_results = 8;
   Relocalizer<> relocalizer(options);
   const auto ids = fill(relocalizer, 30);
   std::vector<KeyframeId> every_fifth;
   for (std::size_t i = 0; i < ids.size(); i += 5) every_fifth.push_back(ids[i]);
   const std::vector<KeyframeId> first(ids.begin(), ids.begin() + 6);
   CalibrateOptions few;
-  few.null_look_ups = 6;
+  few.null_queries = 6;
   const auto scores = [&](const std::vector<KeyframeId>& from) {
     return calibrate(relocalizer, from, {}, few).null_scores().scores();
   };
@@ -292,11 +292,11 @@ TEST_CASE("a map of one place is calibrated by the null model, poses or not", "[
   Relocalizer<> relocalizer;
   const auto ids = fill_with_poses(relocalizer, 1, 1);
   CalibrateOptions options;
-  options.null_look_ups = 30;
+  options.null_queries = 30;
   options.calibration.min_negatives = 1;
   options.by_pose.min_time_gap = 0.5;
   const Calibration calibration = calibrate(relocalizer, ids, {}, options);
   CHECK(calibration.negatives() == 0);
   CHECK(calibration.source() == CalibrationSource::null_model);
-  CHECK(calibration.look_ups() == 30);
+  CHECK(calibration.queries() == 30);
 }

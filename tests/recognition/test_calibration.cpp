@@ -13,16 +13,16 @@ TEST_CASE("the null model serves until there are enough certain negatives", "[re
   for (int i = 0; i < 500; ++i) calibration.add_null(5.0 + 0.001 * i);
   for (int i = 0; i < 199; ++i) calibration.add_negative(1.0 + 0.001 * i);
   CHECK(calibration.source() == CalibrationSource::null_model);
-  CHECK(calibration.look_ups() == 500);
+  CHECK(calibration.queries() == 500);
   CHECK(calibration.threshold(0.01).score > 5.0);
   calibration.add_negative(1.5);
   CHECK(calibration.source() == CalibrationSource::certain_negatives);
-  CHECK(calibration.look_ups() == 200);
+  CHECK(calibration.queries() == 200);
   CHECK(calibration.negatives() == 200);
   CHECK(calibration.threshold(0.01).score < 2.0);
 }
 
-TEST_CASE("the probability of a true match rises with the score, as far as look-ups can say",
+TEST_CASE("the probability of a true match rises with the score, as far as queries can say",
           "[recognition]") {
   CalibrationOptions options;
   options.prior = 0.2;
@@ -69,7 +69,7 @@ TEST_CASE("a calibration does not carry over from a map whose places look alike"
   CHECK(calibration.carries_over().repeats == Approx(2.0 / 101.0));
   calibration.add_negative(9.0, true);
   CHECK_FALSE(calibration.carries_over());
-  CHECK(calibration.carries_over().reason.find("3 of 102 look-ups match another place") == 0);
+  CHECK(calibration.carries_over().reason.find("3 of 102 queries match another place") == 0);
   for (int i = 0; i < 300; ++i) calibration.add_null(9.0);  // the null model has no say
   CHECK(calibration.carries_over().repeats == Approx(3.0 / 102.0));
   CalibrationOptions lenient;

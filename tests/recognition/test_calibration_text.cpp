@@ -82,7 +82,7 @@ TEST_CASE("a calibration comes back from its text to the last bit", "[recognitio
     CHECK(is.negative_scores().scores() == was.negative_scores().scores());
     CHECK(is.null_scores().scores() == was.null_scores().scores());
     CHECK(is.negatives() == was.negatives());
-    CHECK(is.look_ups() == was.look_ups());
+    CHECK(is.queries() == was.queries());
     CHECK(is.source() == was.source());
     CHECK(is.repeats() == was.repeats());
     CHECK(is.carries_over().reason == was.carries_over().reason);
@@ -121,7 +121,7 @@ TEST_CASE("a calibration's text is read as it is written by hand", "[recognition
   const Calibration calibration = parse_calibration(small);
   CHECK(calibration.negatives() == 3);
   CHECK(calibration.repeats() == 1);
-  CHECK(calibration.look_ups() == 2);
+  CHECK(calibration.queries() == 2);
   CHECK(calibration.null_scores().scores() == std::vector<double>{0.1, -1e-300});
   CHECK(to_string(calibration) == small);
   std::string windows = small;
@@ -164,7 +164,7 @@ TEST_CASE("what is no calibration is refused with the line", "[recognition]") {
   says(changed("prior 0.5", "prior 1"), 14, "in (0, 1)");
   says(changed("repeats 1\n", "repeats 2\n"), 14, "more repeats");
   says(changed("negative_look_ups 3", "negative_look_ups -3"), 7, "not a number");
-  says(changed("negative_look_ups 3", "negative_look_ups 0"), 9, "more false scores than look-ups");
+  says(changed("negative_look_ups 3", "negative_look_ups 0"), 9, "more false scores than queries");
   says(changed("2.5", "nan"), 9, "finite");
   says(changed("2.5", "2.5 "), 9, "not a number");
   says(changed("null_scores 2", "null_scores 3"), 14, "'end' is not a number");

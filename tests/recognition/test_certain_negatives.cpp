@@ -148,7 +148,7 @@ TEST_CASE("a map of the query's place alone teaches nothing of others",
   CHECK(learns(map_of_room(false, 2)));
 }
 
-TEST_CASE("a false score is that of the match a look-up would accept", "[recognition]") {
+TEST_CASE("a false score is that of the match a query would accept", "[recognition]") {
   const Relocalizer<> relocalizer = map_of_room(false);
   const auto graph = *relocalizer.map().find(KeyframeId{1});
   const Recognition found = relocalizer.localize(graph, without_threshold(relocalizer.options()));

@@ -20,7 +20,7 @@ TEST_CASE("ten times the places, or a tenth of the rate, ask for one decade more
   CHECK(options.threshold(0) == options.threshold(1));
 }
 
-TEST_CASE("by default one look-up in a thousand may be accepted falsely", "[recognition]") {
+TEST_CASE("by default one query in a thousand may be accepted falsely", "[recognition]") {
   const DecisionOptions options;
   CHECK(options.false_accept_rate == 1e-3);
   // The expected number of false matches, N · 10^−score, less what the model is too careful by.

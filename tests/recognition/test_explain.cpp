@@ -29,7 +29,7 @@ const ExplainedStage& stage(const CandidateExplanation& candidate, const std::st
 
 TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
   std::mt19937 random(1);
-  std::size_t accepted = 0, outdone = 0, refused = 0;
+  std::size_t accepted = 0, not_best = 0, refused = 0;
   for (unsigned seed = 0; seed < 12; ++seed) {
     Relocalizer<> relocalizer;
     for (unsigned i = 0; i < 6; ++i) {  // the query's room twice, and others
@@ -60,8 +60,8 @@ TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
         case Verdict::accepted:
           ++accepted;
           break;
-        case Verdict::outdone:
-          ++outdone;
+        case Verdict::not_best:
+          ++not_best;
           CHECK(candidate.failed()->name == (report.place_support
                                                  ? "lead over the threshold, beside the best one's"
                                                  : "first of its place, which is judged for all"));
@@ -70,7 +70,7 @@ TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
           CHECK(candidate.failed()->name == "objects that agree");
           ++refused;
           break;
-        case Verdict::chance:
+        case Verdict::insignificant:
           CHECK(candidate.failed()->name == "score");
           CHECK(candidate.failed()->missed_by() == Approx(-report.margin()));
           ++refused;
@@ -92,7 +92,7 @@ TEST_CASE("every candidate's stages tell its verdict", "[recognition]") {
     }
   }
   CHECK(accepted > 0);
-  CHECK(outdone > 0);
+  CHECK(not_best > 0);
   CHECK(refused > 0);
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("the threshold that decided is the first that failed", "[recognition]"
 TEST_CASE("an explanation in words", "[recognition]") {
   CandidateExplanation candidate;
   candidate.id = KeyframeId{42};
-  candidate.verdict = Verdict::chance;
+  candidate.verdict = Verdict::insignificant;
   candidate.similarity = 0.5;
   candidate.confidence = 0.75;
   candidate.stages = {{"objects that agree", true, 4, 3, true, {}},

@@ -98,7 +98,7 @@ TEST_CASE("an exponential tail is extrapolated to what it is", "[recognition]") 
   CHECK(scores.threshold(1e-5).score == Approx(-std::log(1e-5)).epsilon(0.1));
 }
 
-TEST_CASE("the share of further false look-ups above the threshold is the rate", "[recognition]") {
+TEST_CASE("the share of further false queries above the threshold is the rate", "[recognition]") {
   std::mt19937 random(6);
   std::normal_distribution<double> normal;
   double accepted = 0.0, all = 0.0;

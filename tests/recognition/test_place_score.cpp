@@ -12,7 +12,7 @@ namespace {
 /// A candidate that passed every stage, `metres` and `radians` away from the query.
 CandidateReport verified(double score, double metres, double radians) {
   CandidateReport report;
-  report.verdict = Verdict::outdone;
+  report.verdict = Verdict::not_best;
   report.similarity = 0.6;
   report.pose.emplace();
   report.pose->significance = score;
@@ -49,7 +49,7 @@ TEST_CASE("a candidate that is not verified scores by its similarity", "[recogni
   report.similarity = 0.6;
   CHECK(place_score(report) == Approx(0.15));
   report = verified(9.0, 0.0, 0.0);
-  for (const Verdict verdict : {Verdict::degenerate, Verdict::chance, Verdict::ambiguous}) {
+  for (const Verdict verdict : {Verdict::degenerate, Verdict::insignificant, Verdict::ambiguous}) {
     report.verdict = verdict;
     CHECK(place_score(report) == Approx(0.15));
   }

@@ -81,11 +81,10 @@ TEST_CASE("the answer does not depend on the order of nodes or of entries", "[re
                                                          1e-6));
 }
 
-TEST_CASE("at most max_candidates are matched, whatever max_results says", "[recognition]") {
+TEST_CASE("at most retrieval.max_results are matched", "[recognition]") {
   std::mt19937 random(5);
   RecognitionOptions options;
-  options.max_candidates = 3;
-  options.retrieval.max_results = 1;
+  options.retrieval.max_results = 3;
   Relocalizer<> relocalizer(options);
   const SyntheticRoom room(1, 8, 8);
   for (unsigned i = 0; i < 6; ++i) {
@@ -174,7 +173,7 @@ TEST_CASE("an indexed map gives the verdicts of a plain one with the same graphs
     plain.map().add(KeyframeId{i}, *indexed.map().find(KeyframeId{i}), info);
   }
   RecognitionOptions few;
-  few.max_candidates = 6;
+  few.retrieval.max_results = 6;
   for (unsigned i = 0; i < 10; ++i) {
     const auto query = SyntheticRoom(i, 8, 6).seen_from(random_camera(random));
     const Recognition a = indexed.localize(query, few), b = plain.localize(query, few);

@@ -10,8 +10,8 @@ using topobag::Verdict;
 
 TEST_CASE("every verdict has words of its own", "[recognition]") {
   std::set<std::string> words;
-  for (const Verdict verdict : {Verdict::no_agreement, Verdict::degenerate, Verdict::chance,
-                                Verdict::ambiguous, Verdict::outdone, Verdict::accepted}) {
+  for (const Verdict verdict : {Verdict::no_agreement, Verdict::degenerate, Verdict::insignificant,
+                                Verdict::ambiguous, Verdict::not_best, Verdict::accepted}) {
     CHECK(topobag::to_string(verdict) != std::string());
     words.insert(topobag::to_string(verdict));
   }

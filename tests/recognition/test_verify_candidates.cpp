@@ -51,7 +51,8 @@ TEST_CASE("a query of two objects is not usable and gets no reports", "[recognit
   CHECK(recognition.candidates.empty());
 }
 
-TEST_CASE("of several good candidates the best is accepted and the rest outdone", "[recognition]") {
+TEST_CASE("of several good candidates the best is accepted and the rest are not the best",
+          "[recognition]") {
   std::mt19937 random(3);
   const SyntheticRoom room(2, 9, 6);
   BagOfTopologyGraphs<> bag;
@@ -67,7 +68,7 @@ TEST_CASE("of several good candidates the best is accepted and the rest outdone"
   CHECK(recognition.accepted->id == recognition.candidates.front().id);
   CHECK(recognition.candidates.front().verdict == Verdict::accepted);
   for (std::size_t i = 1; i < 4; ++i) {
-    CHECK(recognition.candidates[i].verdict == Verdict::outdone);
+    CHECK(recognition.candidates[i].verdict == Verdict::not_best);
   }
 }
 
@@ -122,7 +123,7 @@ TEST_CASE("a match below the asked score may be chance", "[recognition]") {
   strict.decision.min_score = 1e6;
   const Recognition recognition = verify_candidates(bag, graph, {{KeyframeId{0}, 1.0}}, strict);
   REQUIRE(recognition.candidates.size() == 1);
-  CHECK(recognition.candidates[0].verdict == Verdict::chance);
+  CHECK(recognition.candidates[0].verdict == Verdict::insignificant);
   CHECK(recognition.candidates[0].threshold == 1e6);
   CHECK(recognition.candidates[0].margin() < 0.0);
 }

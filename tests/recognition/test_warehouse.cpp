@@ -9,7 +9,7 @@
 namespace {
 
 std::ostream& operator<<(std::ostream& out, const WarehouseFigures& figures) {
-  return out << figures.look_ups << " look-ups, " << figures.correct << " correct, "
+  return out << figures.queries << " queries, " << figures.correct << " correct, "
              << figures.imprecise << " imprecise, " << figures.wrong << " wrong; of "
              << figures.refused() << " refused " << figures.rivalled << " for another place";
 }
@@ -35,9 +35,9 @@ TEST_CASE(
                 << ": second round " << second << "; aisles that were never mapped " << other
                 << '\n';
       // Racks that differ by less than what is measured are told apart by their empty slots alone.
-      CHECK(100 * second.correct >= (jitter < 0.1 ? 25 : 90) * second.look_ups);
+      CHECK(100 * second.correct >= (jitter < 0.1 ? 25 : 90) * second.queries);
       CHECK(second.wrong == 0);
-      CHECK(100 * other.accepted() <= 2 * other.look_ups);
+      CHECK(100 * other.accepted() <= 2 * other.queries);
       // Every refusal for another place names it.
       CHECK(second.told == second.rivalled);
       CHECK(other.told == other.rivalled);

@@ -13,9 +13,9 @@
 
 #include "warehouse.hpp"
 
-/// What became of look-ups in a warehouse.
+/// What became of queries in a warehouse.
 struct WarehouseFigures {
-  std::size_t look_ups = 0;
+  std::size_t queries = 0;
   std::size_t correct = 0;
   std::size_t imprecise = 0;
   std::size_t wrong = 0;
@@ -23,10 +23,10 @@ struct WarehouseFigures {
   std::size_t told = 0;      ///< of these, whose explanation names its key frame
 
   std::size_t accepted() const { return correct + imprecise + wrong; }
-  std::size_t refused() const { return look_ups - accepted(); }
+  std::size_t refused() const { return queries - accepted(); }
 
   void operator+=(const WarehouseFigures& other) {
-    look_ups += other.look_ups;
+    queries += other.queries;
     correct += other.correct;
     imprecise += other.imprecise;
     wrong += other.wrong;
@@ -59,7 +59,7 @@ class WarehouseMap {
     for (const Eigen::Isometry3d& T_world_query : poses) {
       const auto query = warehouse_.seen_from(T_world_query);
       if (!query.is_matchable()) continue;
-      ++figures.look_ups;
+      ++figures.queries;
       const topobag::Recognition found = relocalizer_.localize(query);
       if (found) {
         count(found, T_world_query, mapped, figures);

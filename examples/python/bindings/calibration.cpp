@@ -35,16 +35,16 @@ void bind_calibration(py::module_& module) {
       .field("min_time_gap", &PoseNegativeOptions::min_time_gap)
       .field("min_id_gap", &PoseNegativeOptions::min_id_gap);
   Fields<CalibrateOptions>(module, "CalibrateOptions")
-      .field("null_look_ups", &CalibrateOptions::null_look_ups)
+      .field("null_queries", &CalibrateOptions::null_queries)
       .field("seed", &CalibrateOptions::seed)
       .field("by_pose", &CalibrateOptions::by_pose)
       .field("calibration", &CalibrateOptions::calibration)
-      .field("on_look_up", &CalibrateOptions::on_look_up);
+      .field("on_query", &CalibrateOptions::on_query);
   py::class_<Calibration> calibration(module, "Calibration", doc("Calibration"));
   Attributes(calibration, "Calibration")
       .attribute("negatives", &Calibration::negatives)
       .attribute("source", &Calibration::source)
-      .attribute("look_ups", &Calibration::look_ups)
+      .attribute("queries", &Calibration::queries)
       .attribute("repeats", &Calibration::repeats);
   const auto to_text = [](const Calibration& c) { return topobag::to_string(c); };
   const auto from_text = [](const std::string& text) { return parse_calibration(text); };
@@ -68,7 +68,7 @@ void bind_calibration(py::module_& module) {
       .def_static("from_text", from_text, py::arg("text"), doc("parse_calibration"))
       .def(py::pickle(to_text, from_text))
       .def("__repr__", [](const Calibration& c) {
-        return "<Calibration of " + std::to_string(c.look_ups()) + " look-ups, " +
+        return "<Calibration of " + std::to_string(c.queries()) + " queries, " +
                topobag::to_string(c.source()) + ">";
       });
 }

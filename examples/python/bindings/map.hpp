@@ -21,8 +21,8 @@ using topobag::EntryInfo;
 using topobag::KeyframeId;
 using Graph = topobag::TopologyGraph<>;
 
-/// A bag as it stands, whichever it is: one look-up is compiled for all of them. Whoever holds one
-/// keeps writers waiting, or reads a bag that does not change.
+/// A bag as it stands, whichever it is: one way to query is compiled for all of them. Whoever holds
+/// one keeps writers waiting, or reads a bag that does not change.
 class MapView {
  public:
   using Graph = python::Graph;

@@ -41,20 +41,20 @@ void bind_queries(py::module_& module) {
       .field("session", &ExcludedNeighbors::session);
   Fields<QueryOptions>(module, "QueryOptions")
       .field("max_results", &QueryOptions::max_results)
-      .field("min_score", &QueryOptions::min_score)
+      .field("min_similarity", &QueryOptions::min_similarity)
       .field("exclude", &QueryOptions::exclude)
       .field("among", &QueryOptions::among)
       .field("filter", &QueryOptions::filter);
   Fields<Candidate>(module, "Candidate")
       .field("id", &Candidate::id)
-      .field("score", &Candidate::score)
+      .field("similarity", &Candidate::similarity)
       .def("__eq__", [](const Candidate& a, const Candidate& b) { return a == b; });
   Fields<SearchResult>(module, "SearchResult")
       .field("candidates", &SearchResult::candidates)
       .field("entries", &SearchResult::entries)
       .field("visited", &SearchResult::visited)
       .field("exact", &SearchResult::exact)
-      .field("missed_score", &SearchResult::missed_score);
+      .field("missed_similarity", &SearchResult::missed_similarity);
   Fields<MergeOptions>(module, "MergeOptions")
       .field("session_offset", &MergeOptions::session_offset)
       .field("T_world_other", &MergeOptions::T_world_other);

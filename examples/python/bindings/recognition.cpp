@@ -24,7 +24,6 @@ void bind_options(py::module_& module) {
       .def("threshold", &DecisionOptions::threshold, py::arg("places"),
            doc("DecisionOptions.threshold"));
   Fields<RecognitionOptions>(module, "RecognitionOptions")
-      .field("max_candidates", &RecognitionOptions::max_candidates)
       .field("retrieval", &RecognitionOptions::retrieval)
       .field("matching", &RecognitionOptions::matching)
       .field("place", &RecognitionOptions::place)
@@ -48,10 +47,10 @@ void bind_recognition(py::module_& module) {
   py::enum_<Verdict>(module, "Verdict", doc("Verdict"))
       .value("no_agreement", Verdict::no_agreement, doc("Verdict.no_agreement"))
       .value("degenerate", Verdict::degenerate, doc("Verdict.degenerate"))
-      .value("chance", Verdict::chance, doc("Verdict.chance"))
+      .value("insignificant", Verdict::insignificant, doc("Verdict.insignificant"))
       .value("ambiguous", Verdict::ambiguous, doc("Verdict.ambiguous"))
       .value("rivalled", Verdict::rivalled, doc("Verdict.rivalled"))
-      .value("outdone", Verdict::outdone, doc("Verdict.outdone"))
+      .value("not_best", Verdict::not_best, doc("Verdict.not_best"))
       .value("accepted", Verdict::accepted);
   py::class_<RivalPlace> rival(module, "RivalPlace", doc("RivalPlace"));
   Attributes(rival, "RivalPlace")

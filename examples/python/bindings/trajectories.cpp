@@ -26,7 +26,7 @@ TrajectoryArray trajectory_from(const ArrayLike& stamps, const ArrayLike& poses)
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const double stamp = time(static_cast<py::ssize_t>(i));
     require_seconds(stamp);
-    if (i > 0 && !(stamp > trajectory.poses.back().stamp_s)) {
+    if (i > 0 && !(stamp > trajectory.poses.back().stamp)) {
       throw InvalidValue("stamp " + std::to_string(i) + " is not after the one before", i);
     }
     trajectory.poses.push_back({stamp, motions[i]});
@@ -75,7 +75,7 @@ void bind_trajectory(py::module_& module) {
           "stamps",
           [](const TrajectoryArray& trajectory) {
             std::vector<double> stamps;
-            for (const StampedPose& pose : trajectory.poses) stamps.push_back(pose.stamp_s);
+            for (const StampedPose& pose : trajectory.poses) stamps.push_back(pose.stamp);
             return array_from(stamps);
           },
           "Times, s (n).")

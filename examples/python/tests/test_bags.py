@@ -39,7 +39,7 @@ def test_a_query_is_the_similarity_sorted(random):
     similarity = topobag.ClassPairDistanceHistogram()
     scores = sorted(((-similarity(bag[i], query), i) for i in bag))[:7]
     found = bag.query(query, topobag.QueryOptions(max_results=7))
-    assert [(c.id, c.score) for c in found] == [(i, -s) for s, i in scores]
+    assert [(c.id, c.similarity) for c in found] == [(i, -s) for s, i in scores]
 
 
 def test_all_bags_answer_alike(random, tmp_path):
@@ -94,10 +94,10 @@ def test_ones_own_similarity_in_a_bag(random):
     bag = filled(topobag.BagOfTopologyGraphs(lambda p, q: float(abs(len(p) - len(q)) < 3)), random, 4)
     bag.add(1, random_graph(random, 3))
     found = bag.query(random_graph(random, 4))
-    assert [c.id for c in found][0] == 1 and [c.score for c in found] == [1.0, 0.0, 0.0, 0.0, 0.0]
+    assert [c.id for c in found][0] == 1 and [c.similarity for c in found] == [1.0, 0.0, 0.0, 0.0, 0.0]
     other = filled(topobag.BagOfTopologyGraphs(topobag.ClassTriangles()), np.random.default_rng(1), 4)
     query = random_graph(random)
-    assert other.query(query)[0].score == max(topobag.ClassTriangles()(query, other[i]) for i in other)
+    assert other.query(query)[0].similarity == max(topobag.ClassTriangles()(query, other[i]) for i in other)
 
 
 def test_a_snapshot_comes_back(bag, random, tmp_path):

@@ -70,7 +70,7 @@ def test_options_of_one_query_alone(sample, relocalizer):
     strict.decision.min_score = 1e9
     query = sample[1][5].graph
     assert not relocalizer.localize(query, strict)
-    assert relocalizer.localize(query, strict).candidates[0].verdict == topobag.Verdict.chance
+    assert relocalizer.localize(query, strict).candidates[0].verdict == topobag.Verdict.insignificant
 
 
 def test_loops_are_found_on_the_way(sample):
@@ -95,11 +95,11 @@ def test_a_bag_is_referred_to(sample):
 
 
 def test_a_calibration_learns_and_keeps(sample, relocalizer):
-    few = topobag.CalibrateOptions(null_look_ups=20)
+    few = topobag.CalibrateOptions(null_queries=20)
     calls = []
-    few.on_look_up = lambda: calls.append(1)
+    few.on_query = lambda: calls.append(1)
     calibration = topobag.calibrate(relocalizer, list(relocalizer.map)[:10], options=few)
-    assert len(calls) == 30 and calibration.look_ups == 20
+    assert len(calls) == 30 and calibration.queries == 20
     assert calibration.source == topobag.CalibrationSource.null_model
     again = pickle.loads(pickle.dumps(calibration))
     assert again.to_text() == calibration.to_text()

@@ -55,7 +55,7 @@ def test_four_readers_and_a_writer(kind):
         asked = 0
         while not done.is_set() or asked < 5:
             found = bag.query(graphs[random.integers(0, 300)], topobag.QueryOptions(max_results=5))
-            assert len(found) == 5 and sorted((-c.score, c.id) for c in found) == [(-c.score, c.id) for c in found]
+            assert len(found) == 5 and sorted((-c.similarity, c.id) for c in found) == [(-c.similarity, c.id) for c in found]
             asked += 1
             time.sleep(0.001)
 

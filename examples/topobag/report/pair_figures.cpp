@@ -30,8 +30,8 @@ DataTable pair_table(const RecognitionRun& run, const KnownPlaces* places) {
                    "objects", "verdict", "relation", "distance_m", "angle_deg"},
                   {}};
   const std::array<const char*, 4> relations{"true", "false", "ignored", "excluded"};
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    for (const TriedCandidate& tried : run.look_ups[i].tried) {
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    for (const TriedCandidate& tried : run.records[i].tried) {
       const std::size_t id = tried.candidate;
       Json row = Json::array({i, id, run.queries[i].idx, run.map[id].idx, tried.similarity});
       row.push_back(or_null(tried.score));
@@ -55,8 +55,8 @@ std::vector<Figure> answer_figures(const RecognitionRun& run, const KnownPlaces&
                                    const Scoring& scoring) {
   std::vector<topobag::ScoredPair> similarities;
   std::vector<topobag::ScoredPair> place_scores;
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    for (const TriedCandidate& tried : run.look_ups[i].tried) {
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    for (const TriedCandidate& tried : run.records[i].tried) {
       topobag::ScoredPair pair{static_cast<std::uint32_t>(i),
                                static_cast<std::uint32_t>(tried.candidate), tried.similarity};
       similarities.push_back(pair);
@@ -86,7 +86,7 @@ std::vector<Figure> matrix_figures(const RecognitionRun& run, const KnownPlaces*
   ScoreImage scores(rows, columns);
   std::size_t pairs_tried = 0;
   for (std::size_t i = 0; i < rows; ++i) {
-    for (const TriedCandidate& tried : run.look_ups[i].tried) {
+    for (const TriedCandidate& tried : run.records[i].tried) {
       const std::size_t id = tried.candidate;
       ++pairs_tried;
       similarities.add(i, id, tried.similarity);
@@ -122,12 +122,12 @@ Figure verdict_figure(const RecognitionRun& run) {
   const std::size_t accepted_bar = names.size() - 1;
   std::array<std::size_t, 6> counts{};
   std::size_t without = 0;
-  for (const LookUp& look_up : run.look_ups) {
-    if (!look_up.is_query()) {
+  for (const QueryRecord& record : run.records) {
+    if (!record.is_query()) {
       ++without;
       continue;
     }
-    const auto& best = look_up.best();
+    const auto& best = record.best();
     const bool accepted = best.verdict == topobag::Verdict::accepted;
     ++counts[accepted ? accepted_bar : static_cast<std::size_t>(best.verdict)];
   }

@@ -63,7 +63,7 @@ std::optional<TruePlace> nearest_true_place(const KnownPlaces& places, std::size
   if (!nearest) return nearest;
   const Eigen::Isometry3d T_candidate_query = truth.T_candidate_query(query, nearest->candidate);
   nearest->angle_deg = topobag::rotation_angle_deg(T_candidate_query.linear());
-  nearest->gap_s = std::abs(q.stamp_s - places.map[nearest->candidate].stamp_s);
+  nearest->gap_s = std::abs(q.stamp - places.map[nearest->candidate].stamp);
   if (places.frustum) {
     nearest->overlap = topobag::frustum_overlap(*places.frustum, T_candidate_query);
   }

@@ -82,7 +82,7 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
                        fixed_text(*summary.median_translation_error_m, 3) + " m, " +
                            fixed_text(*summary.median_rotation_error_deg, 1) + "°");
   }
-  if (summary.query_ms) facts.emplace_back("Time of a look-up", times_text(*summary.query_ms));
+  if (summary.query_ms) facts.emplace_back("Time of a query", times_text(*summary.query_ms));
   facts.emplace_back("Correct is", "up to " + short_text(limits.correct_translation_m) + " m and " +
                                        short_text(limits.correct_rotation_deg) +
                                        "°; wrong beyond " + short_text(limits.wrong_translation_m) +
@@ -124,8 +124,8 @@ Report RecognitionPage::report() const {
   append(matrix_figures(run_, places(), outcomes));
   figures.push_back(verdict_figure(run_));
   std::vector<JudgedError> errors;
-  for (std::size_t i = 0; i < run_.look_ups.size(); ++i) {
-    if (run_.look_ups[i].error) errors.push_back({*run_.look_ups[i].error, outcomes[i].outcome});
+  for (std::size_t i = 0; i < run_.records.size(); ++i) {
+    if (run_.records[i].error) errors.push_back({*run_.records[i].error, outcomes[i].outcome});
   }
   append(error_figures(errors, arguments_.scoring.limits));
   append(breakdown_figures(outcomes));

@@ -23,7 +23,7 @@ struct RecognitionReportArguments {
 /// Adds the options of the report files, `--protocol` and `--pairs`.
 void add_recognition_report_options(CLI::App& command, RecognitionReportArguments& arguments);
 
-/// What the look-ups have to keep for it.
+/// What the queries have to keep for it.
 KeptCandidates kept_for(const RecognitionReportArguments& arguments);
 
 /// Writes what was asked for about a scored run.

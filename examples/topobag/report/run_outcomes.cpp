@@ -8,15 +8,15 @@ namespace program {
 
 std::vector<QueryOutcome> outcomes_of(const RecognitionRun& run, const KnownPlaces* places) {
   std::vector<QueryOutcome> outcomes;
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    const LookUp& look_up = run.look_ups[i];
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const QueryRecord& record = run.records[i];
     QueryOutcome query;
     query.objects = run.queries[i].graph.size();
     if (places != nullptr) query.place = nearest_true_place(*places, i);
-    if (const auto& match = look_up.recognition.accepted) {
+    if (const auto& match = record.recognition.accepted) {
       query.answer = topobag::value(match->id);
       query.score = match->score();
-      query.outcome = look_up.verdict ? outcome_of(*look_up.verdict) : Outcome::unscored;
+      query.outcome = record.verdict ? outcome_of(*record.verdict) : Outcome::unscored;
     } else {
       query.outcome = query.place ? Outcome::missed : Outcome::nothing;
     }
@@ -29,12 +29,12 @@ topobag::LabelledScores answer_scores(const RecognitionRun& run, const KnownPlac
                                       const Scoring& scoring) {
   using topobag::Verdict;
   topobag::LabelledScores answers;
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    const LookUp& look_up = run.look_ups[i];
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const QueryRecord& record = run.records[i];
     answers.totals.push_back({nearest_true_place(places, i) ? std::size_t{1} : 0, 0});
-    if (!look_up.is_query()) continue;
-    const topobag::CandidateReport& best = look_up.best();
-    if (best.verdict != Verdict::accepted && best.verdict != Verdict::chance) continue;
+    if (!record.is_query()) continue;
+    const topobag::CandidateReport& best = record.best();
+    if (best.verdict != Verdict::accepted && best.verdict != Verdict::insignificant) continue;
     const auto verdict = judge_match(run, i, best, scoring).verdict;
     const bool is_true = verdict && *verdict != topobag::PoseVerdict::wrong;
     if (is_true) answers.totals.back().positives = 1;

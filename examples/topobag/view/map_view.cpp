@@ -134,7 +134,7 @@ Json map_view(const RecognitionRun& run, const topobag::PinholeCamera<>& camera,
             {"up", Json::array()},
             {"objects", objects_json(map.objects, classes)},
             {"keyframes", keyframes_json(placed.keyframes, map)},
-            {"looked_up", run.look_ups.size()},
+            {"looked_up", run.records.size()},
             {"matches", matches_json(run, placed.number_of, map.of_nodes)}};
   append(json["up"], up ? up->normalized() : likely_up(poses));
   json["classes"] = classes.names();

@@ -32,7 +32,8 @@ std::string sentence(const RecognitionRun& run, std::size_t query,
                      const topobag::CandidateReport& report,
                      const topobag::CandidateExplanation& why) {
   const Keyframe& place = run.map[topobag::value(report.id)];
-  std::string text = "Key frame " + name_of(run.queries[query]) + " was taken where " + name_of(place) +
+  std::string text = "Key frame " + name_of(run.queries[query]) + " was taken where " +
+                     name_of(place) +
                      " was: " + counted(why.matched, [](const auto& m) { return m.query_class; }) +
                      " lie alike, and the odds that chance made them do so are 1 to 10^" +
                      fixed_text(report.score(), 1) + ", where 1 to 10^" +
@@ -58,8 +59,8 @@ Json stages_json(const topobag::CandidateExplanation& why) {
 
 Json match_json(const RecognitionRun& run, std::size_t query, std::size_t place,
                 const std::vector<std::optional<std::size_t>>& of_nodes) {
-  const LookUp& look_up = run.look_ups[query];
-  const topobag::CandidateReport& report = *look_up.recognition.accepted;
+  const QueryRecord& record = run.records[query];
+  const topobag::CandidateReport& report = *record.recognition.accepted;
   const topobag::CandidateExplanation why = explain_accepted(run, query);
   const Eigen::Isometry3d& T_world_candidate = *run.map[topobag::value(report.id)].T_world_camera;
   const Eigen::Isometry3d T_world_query = T_world_candidate * report.pose->T_candidate_query;
@@ -84,10 +85,10 @@ Json match_json(const RecognitionRun& run, std::size_t query, std::size_t place,
     json["missing"].push_back({{"class", missing.class_name}, {"position", Json::array()}});
     append(json["missing"].back()["position"], T_world_candidate * missing.position);
   }
-  if (look_up.verdict) json["verdict"] = to_string(*look_up.verdict);
-  if (look_up.error) {
-    json["translation_error_m"] = rounded(look_up.error->translation_m);
-    json["rotation_error_deg"] = rounded(look_up.error->rotation_deg);
+  if (record.verdict) json["verdict"] = to_string(*record.verdict);
+  if (record.error) {
+    json["translation_error_m"] = rounded(record.error->translation_m);
+    json["rotation_error_deg"] = rounded(record.error->rotation_deg);
   }
   return json;
 }
@@ -99,9 +100,9 @@ Json matches_json(const RecognitionRun& run,
                   const std::vector<std::vector<std::optional<std::size_t>>>& of_nodes) {
   Json matches = Json::array();
   const bool in_sequence = run.query_set == run.map_set;
-  for (std::size_t i = 0; i < run.look_ups.size(); ++i) {
-    if (!run.look_ups[i].recognition) continue;
-    const auto place = number_of[topobag::value(run.look_ups[i].recognition.accepted->id)];
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    if (!run.records[i].recognition) continue;
+    const auto place = number_of[topobag::value(run.records[i].recognition.accepted->id)];
     if (!place) continue;
     matches.push_back(match_json(run, i, *place, of_nodes[*place]));
     matches.back()["query"] = in_sequence ? or_null(number_of[i]) : Json();

@@ -71,7 +71,7 @@ inline std::size_t push(const FleetOutbox& outbox, PostgresStore& store, std::si
 ///     FleetBag fleet({{"postgresql://site.example/fleet", {"hall", "yard"}}});
 ///     for (;; fleet.wait()) fleet.follow();             // one thread
 ///     const auto now = fleet.view();                    // any thread, at any time
-///     for (const Candidate& c : now->query(graph)) tell(now->key(c.id), c.score);
+///     for (const Candidate& c : now->query(graph)) tell(now->key(c.id), c.similarity);
 ///
 /// One thread at a time may call what is not const. `Relocalizer<FleetBag>` localizes in it.
 class FleetBag {

@@ -36,7 +36,7 @@ struct OrbSlamOptions {
   /// The defaults, but fewer key frames are matched: tracking waits for the answer.
   static RecognitionOptions few_candidates(std::size_t count) {
     RecognitionOptions options;
-    options.max_candidates = count;
+    options.retrieval.max_results = count;
     return options;
   }
 };

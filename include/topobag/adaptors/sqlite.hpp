@@ -15,7 +15,7 @@
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/camera_poses.hpp>
-#include <topobag/bag/detail/free_ids.hpp>
+#include <topobag/bag/detail/index/free_ids.hpp>
 #include <topobag/bag/detail/reads_from_memory.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>

@@ -24,9 +24,9 @@ using GraphOf = std::enable_if_t<
     typename Bag::Graph>;
 
 template <typename Bag, typename = void>
-struct is_look_up_bag : std::false_type {};
+struct is_searchable_bag : std::false_type {};
 template <typename Bag>
-struct is_look_up_bag<
+struct is_searchable_bag<
     Bag,
     std::enable_if_t<std::is_convertible_v<decltype(std::declval<const Bag&>().query(
                                                std::declval<const GraphOf<Bag>&>(),
@@ -65,9 +65,9 @@ struct is_durable_bag<
 
 }  // namespace detail
 
-/// Whether key frames can be looked up in `Bag`: `Relocalizer` (C++20: `concept LookUpBag`).
+/// Whether key frames can be looked up in `Bag`: `Relocalizer` (C++20: `concept SearchableBag`).
 template <typename Bag>
-inline constexpr bool is_look_up_bag_v = detail::is_look_up_bag<Bag>::value;
+inline constexpr bool is_searchable_bag_v = detail::is_searchable_bag<Bag>::value;
 
 /// Whether key frames can be put into `Bag`: `LoopDetector`, `load` (C++20: `concept GrowingBag`).
 template <typename Bag>

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include <topobag/bag/camera_poses.hpp>
-#include <topobag/bag/detail/compare_all.hpp>
-#include <topobag/bag/detail/entry_key.hpp>
-#include <topobag/bag/detail/entry_places.hpp>
-#include <topobag/bag/detail/free_ids.hpp>
-#include <topobag/bag/detail/histogram_index.hpp>
+#include <topobag/bag/detail/index/compare_all.hpp>
+#include <topobag/bag/detail/index/entry_places.hpp>
+#include <topobag/bag/detail/index/free_ids.hpp>
+#include <topobag/bag/detail/index/histogram_index.hpp>
+#include <topobag/bag/detail/storage/entry_key.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/merge_options.hpp>

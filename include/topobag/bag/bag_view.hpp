@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <topobag/bag/detail/bag_parts.hpp>
-#include <topobag/bag/detail/bag_search.hpp>
+#include <topobag/bag/detail/index/bag_parts.hpp>
+#include <topobag/bag/detail/index/bag_search.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/memory_usage.hpp>
 #include <topobag/bag/search_result.hpp>

@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include <topobag/bag/detail/appearance_code.hpp>
-#include <topobag/bag/detail/bit_reader.hpp>
-#include <topobag/bag/detail/bit_writer.hpp>
-#include <topobag/bag/detail/depth_code.hpp>
-#include <topobag/bag/detail/edge_code.hpp>
-#include <topobag/bag/detail/graph_header.hpp>
-#include <topobag/bag/detail/gravity_code.hpp>
-#include <topobag/bag/detail/node_columns.hpp>
-#include <topobag/bag/detail/view_columns.hpp>
+#include <topobag/bag/detail/codec/appearance_code.hpp>
+#include <topobag/bag/detail/codec/bit_reader.hpp>
+#include <topobag/bag/detail/codec/bit_writer.hpp>
+#include <topobag/bag/detail/codec/depth_code.hpp>
+#include <topobag/bag/detail/codec/edge_code.hpp>
+#include <topobag/bag/detail/codec/graph_header.hpp>
+#include <topobag/bag/detail/codec/gravity_code.hpp>
+#include <topobag/bag/detail/codec/node_columns.hpp>
+#include <topobag/bag/detail/codec/view_columns.hpp>
 #include <topobag/bag/savable_graph.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
@@ -39,14 +39,15 @@ unsigned codec_version_for(const TopologyGraph<Scalar>& graph,
 /// A graph in few bytes: some 180 for 12 objects, the views not counted. The same bytes on every
 /// machine; for memory, file, data base and radio alike.
 ///
-/// Kept exactly: order, classes, edges, appearance, the depth of views, what is absent. Rounded, by at most: positions
-/// and depths 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm; pixels a half;
-/// confidence and existence 0.004; standard deviations 4.5 % along the viewing ray and across it,
-/// which is the shape that `NodeNoise` gives a covariance and to which any other is rounded off. Of
-/// views: translation 2 mm, rotation 0.2 mrad an axis (within 1 mrad of half a turn 1.2 mrad in
-/// all), intrinsics 1/32 px, boxes half a pixel. Of gravity: direction 0.3 mrad, deviation 4.5 %.
-/// Saturated: pixels and boxes at ±2^20 px, negative sizes at 0, confidence to [0, 1], existence to
-/// [1/127, 1], standard deviations to [1 mm, 64 m], gravity's to [0.24 mrad, 14.7 rad].
+/// Kept exactly: order, classes, edges, appearance, the depth of views, what is absent. Rounded, by
+/// at most: positions and depths 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm;
+/// pixels a half; confidence and existence 0.004; standard deviations 4.5 % along the viewing ray
+/// and across it, which is the shape that `NodeNoise` gives a covariance and to which any other is
+/// rounded off. Of views: translation 2 mm, rotation 0.2 mrad an axis (within 1 mrad of half a
+/// turn 1.2 mrad in all), intrinsics 1/32 px, boxes half a pixel. Of gravity: direction 0.3 mrad,
+/// deviation 4.5 %. Saturated: pixels and boxes at ±2^20 px, negative sizes at 0, confidence to [0,
+/// 1], existence to [1/127, 1], standard deviations to [1 mm, 64 m], gravity's to [0.24 mrad, 14.7
+/// rad].
 ///
 /// `encode(decode(encode(graph)))` gives the same bytes. Throws as `require_savable`. O(n² + m).
 template <typename Scalar>

@@ -14,12 +14,12 @@
 
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/camera_poses.hpp>
-#include <topobag/bag/detail/encoded_entry.hpp>
-#include <topobag/bag/detail/free_ids.hpp>
-#include <topobag/bag/detail/part_builder.hpp>
-#include <topobag/bag/detail/part_edits.hpp>
+#include <topobag/bag/detail/index/encoded_entry.hpp>
+#include <topobag/bag/detail/index/free_ids.hpp>
+#include <topobag/bag/detail/index/part_builder.hpp>
+#include <topobag/bag/detail/index/part_edits.hpp>
+#include <topobag/bag/detail/index/published_places.hpp>
 #include <topobag/bag/detail/present_view.hpp>
-#include <topobag/bag/detail/published_places.hpp>
 #include <topobag/bag/merge_options.hpp>
 #include <topobag/error.hpp>
 

@@ -15,7 +15,7 @@ namespace topobag {
 inline namespace v0 {
 
 /// How many different places a map holds: key frames of one spot are one place, however many they
-/// are. A look-up asks them all, so that its chance of a false match grows with them; more exactly,
+/// are. A query asks them all, so that its chance of a false match grows with them; more exactly,
 /// with those that hold objects like the matched ones, for no other could have given the match.
 ///
 /// Places are the cells of a grid of `cell` m that hold a camera. Key frames without a pose, of

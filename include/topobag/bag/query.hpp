@@ -40,11 +40,11 @@ struct ExcludedNeighbors {
 /// Which entries are asked, and how many come back.
 struct QueryOptions {
   std::size_t max_results = 10;  ///< the best so many
-  double min_score = 0.0;        ///< similarity below which an entry is no candidate
-  ExcludedNeighbors exclude;     ///< key frames of the present visit
-  EntryFilter among;             ///< by id, time, session, label and place
+  double min_similarity = 0.0;   ///< similarity below which an entry is no candidate
+  ExcludedNeighbors exclude{};   ///< key frames of the present visit
+  EntryFilter among{};           ///< by id, time, session, label and place
   std::function<bool(KeyframeId, const EntryInfo&)>
-      filter;  ///< when set, only entries it returns true for
+      filter{};  ///< when set, only entries it returns true for
 
   /// Whether there is an entry that might not be asked.
   bool restricts() const {
@@ -59,15 +59,15 @@ struct QueryOptions {
 
 /// An entry of the bag that resembles the query.
 struct Candidate {
-  KeyframeId id{};     ///< of the entry
-  double score = 0.0;  ///< similarity in [0, 1]
+  KeyframeId id{};          ///< of the entry
+  double similarity = 0.0;  ///< to the query, in [0, 1]
 
-  /// Best first: by falling score, ties by id.
+  /// Best first: by falling similarity, ties by id.
   friend bool operator<(const Candidate& l, const Candidate& r) noexcept {
-    return std::tie(r.score, l.id) < std::tie(l.score, r.id);
+    return std::tie(r.similarity, l.id) < std::tie(l.similarity, r.id);
   }
   friend bool operator==(const Candidate& l, const Candidate& r) noexcept {
-    return l.id == r.id && l.score == r.score;
+    return l.id == r.id && l.similarity == r.similarity;
   }
 };
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include <topobag/bag/detail/node_columns.hpp>
+#include <topobag/bag/detail/codec/node_layout.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 

@@ -15,7 +15,7 @@ struct SearchResult {
   std::size_t entries = 0;            ///< in the bag
   std::size_t visited = 0;            ///< entries whose graphs were read
   bool exact = true;                  ///< false when the budget ended the search
-  double missed_score = 0.0;          ///< what is left unvisited scores at most this; 0 if exact
+  double missed_similarity = 0.0;     ///< of what is left unvisited, at most; 0 if exact
 
   /// How many graphs were never touched.
   std::size_t untouched() const noexcept { return entries - visited; }

@@ -14,8 +14,8 @@
 #include <topobag/assert.hpp>
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
-#include <topobag/bag/detail/entry_record.hpp>
-#include <topobag/bag/detail/file_bytes.hpp>
+#include <topobag/bag/detail/storage/entry_record.hpp>
+#include <topobag/bag/detail/storage/file_bytes.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/snapshot_header.hpp>
 #include <topobag/error.hpp>

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include <topobag/bag/detail/bit_reader.hpp>
-#include <topobag/bag/detail/bit_writer.hpp>
-#include <topobag/bag/detail/crc32.hpp>
-#include <topobag/bag/detail/file_bytes.hpp>
+#include <topobag/bag/detail/codec/bit_reader.hpp>
+#include <topobag/bag/detail/codec/bit_writer.hpp>
+#include <topobag/bag/detail/storage/crc32.hpp>
+#include <topobag/bag/detail/storage/file_bytes.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/error.hpp>
 #include <topobag/types/ids.hpp>

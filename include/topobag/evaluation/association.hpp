@@ -10,7 +10,7 @@ inline namespace v0 {
 
 /// An estimated pose beside the true one of the same moment.
 struct PosePair {
-  double stamp_s = 0.0;                                         ///< of the estimate, s
+  double stamp = 0.0;                                           ///< of the estimate, s
   Eigen::Isometry3d T_true{Eigen::Isometry3d::Identity()};      ///< body to the truth's world
   Eigen::Isometry3d T_estimate{Eigen::Isometry3d::Identity()};  ///< body to the estimate's world
 };
@@ -25,8 +25,8 @@ std::vector<PosePair> associate(const TruePoses& groundtruth, const EstimatedPos
   std::vector<PosePair> pairs;
   pairs.reserve(estimate.size());
   for (const auto& pose : estimate) {
-    if (const auto truth = pose_at(groundtruth, pose.stamp_s, max_gap_s, rule)) {
-      pairs.push_back({pose.stamp_s, *truth, pose.T_world_body});
+    if (const auto truth = pose_at(groundtruth, pose.stamp, max_gap_s, rule)) {
+      pairs.push_back({pose.stamp, *truth, pose.T_world_body});
     }
   }
   return pairs;

@@ -60,7 +60,7 @@ void read_kitti_times(Stream& stream, const std::string& name, Trajectory& traje
     throw Error(name + " has " + std::to_string(stamps.size()) + " times for " +
                 std::to_string(trajectory.size()) + " poses.");
   }
-  for (std::size_t i = 0; i < stamps.size(); ++i) trajectory[i].stamp_s = stamps[i];
+  for (std::size_t i = 0; i < stamps.size(); ++i) trajectory[i].stamp = stamps[i];
 }
 
 }  // namespace v0

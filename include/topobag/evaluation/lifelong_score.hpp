@@ -53,8 +53,8 @@ double correct_time(const Pairs& pairs, const std::vector<bool>& correct, double
                     double max_pose_interval_s) {
   double sum = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const double next = i + 1 < pairs.size() ? pairs[i + 1].stamp_s : end_s;
-    if (correct[i]) sum += std::min(max_pose_interval_s, next - pairs[i].stamp_s);
+    const double next = i + 1 < pairs.size() ? pairs[i + 1].stamp : end_s;
+    if (correct[i]) sum += std::min(max_pose_interval_s, next - pairs[i].stamp);
   }
   return sum;
 }
@@ -86,9 +86,9 @@ SequenceScore score_sequence(const TruePoses& groundtruth, const EstimatedPoses&
   score.correct_ate_m = translation_statistics(correct_errors);
   score.correct_aoe_deg = rotation_statistics(correct_errors);
 
-  const double start_s = groundtruth.front().stamp_s;
-  const double end_s = groundtruth.back().stamp_s;  // no matched estimate is later
-  const double first_s = score.pairs.empty() ? start_s : score.pairs.front().stamp_s;
+  const double start_s = groundtruth.front().stamp;
+  const double end_s = groundtruth.back().stamp;  // no matched estimate is later
+  const double first_s = score.pairs.empty() ? start_s : score.pairs.front().stamp;
   const double tracked_s =
       detail::correct_time(score.pairs, correct, end_s, rules.max_pose_interval_s);
   if (end_s > start_s) score.cr = tracked_s / (end_s - start_s);

@@ -87,10 +87,10 @@ LifelongTrajectories read_openloris(Stream& stream, const std::string& name,
     const std::vector<double> values(numbers.end() - 7, numbers.end());
     if (repeated == RepeatedPoses::drop && values == last_pose) continue;
     last_pose = values;
-    const auto place = std::upper_bound(
-        sequence->begin(), sequence->end(), stamp,
-        [](double stamp_s, const StampedPose& other) { return stamp_s < other.stamp_s; });
-    if (place != sequence->begin() && (place - 1)->stamp_s == stamp) {
+    const auto place =
+        std::upper_bound(sequence->begin(), sequence->end(), stamp,
+                         [](double t, const StampedPose& other) { return t < other.stamp; });
+    if (place != sequence->begin() && (place - 1)->stamp == stamp) {
       throw lines.error("the sequence already has a pose at this time.");
     }
     sequence->insert(place, {stamp, pose});

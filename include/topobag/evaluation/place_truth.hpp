@@ -58,7 +58,7 @@ class BasicPlaceTruth {
     if (one_trajectory_) {
       const std::size_t gap = query > candidate ? query - candidate : candidate - query;
       if (gap == 0 || gap < protocol_.exclude_frames) return PairRelation::excluded;
-      if (std::abs(q.stamp_s - c.stamp_s) < protocol_.exclude_seconds) {
+      if (std::abs(q.stamp - c.stamp) < protocol_.exclude_seconds) {
         return PairRelation::excluded;
       }
       if (protocol_.past_only && candidate > query) return PairRelation::excluded;
@@ -80,7 +80,7 @@ class BasicPlaceTruth {
 
  private:
   struct Row {
-    double stamp_s;
+    double stamp;
     Eigen::Matrix<Scalar, 3, 1> position;
     Eigen::Quaternion<Scalar> orientation;
 
@@ -92,7 +92,7 @@ class BasicPlaceTruth {
     rows.reserve(trajectory.size());
     for (const StampedPose& pose : trajectory) {
       const auto T = pose.T_world_body.template cast<Scalar>();
-      rows.push_back({pose.stamp_s, T.translation(), Eigen::Quaternion<Scalar>(T.linear())});
+      rows.push_back({pose.stamp, T.translation(), Eigen::Quaternion<Scalar>(T.linear())});
     }
     return rows;
   }

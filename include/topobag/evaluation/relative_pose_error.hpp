@@ -35,7 +35,7 @@ std::vector<double> step_axis(const Pairs& pairs, RelativeStep::Unit unit) {
       path_m += (pairs[i].T_true.translation() - pairs[i - 1].T_true.translation()).norm();
     }
     axis.push_back(unit == RelativeStep::Unit::frames    ? static_cast<double>(i)
-                   : unit == RelativeStep::Unit::seconds ? pairs[i].stamp_s
+                   : unit == RelativeStep::Unit::seconds ? pairs[i].stamp
                                                          : path_m);
   }
   return axis;

@@ -16,7 +16,7 @@ inline namespace v0 {
 
 /// Where a body (mostly a camera) was at one moment.
 struct StampedPose {
-  double stamp_s = 0.0;                                           ///< time, s
+  double stamp = 0.0;                                             ///< time, s
   Eigen::Isometry3d T_world_body{Eigen::Isometry3d::Identity()};  ///< body to world, m
 };
 
@@ -89,17 +89,17 @@ Eigen::Isometry3d interpolate(const PoseA& a, const PoseB& b, double alpha,
 /// @param trajectory  a `Trajectory`, or other sorted `StampedPose` with random access
 template <typename Poses = Trajectory>
 std::optional<Eigen::Isometry3d> pose_at(
-    const Poses& trajectory, double stamp_s, double max_gap_s,
+    const Poses& trajectory, double stamp, double max_gap_s,
     RotationInterpolation rule = RotationInterpolation::slerp) {
   const auto after =
-      std::lower_bound(trajectory.begin(), trajectory.end(), stamp_s,
-                       [](const StampedPose& pose, double t) { return pose.stamp_s < t; });
+      std::lower_bound(trajectory.begin(), trajectory.end(), stamp,
+                       [](const StampedPose& pose, double t) { return pose.stamp < t; });
   if (after == trajectory.end()) return std::nullopt;
-  if (after->stamp_s == stamp_s) return after->T_world_body;
+  if (after->stamp == stamp) return after->T_world_body;
   if (after == trajectory.begin()) return std::nullopt;
   const auto before = after - 1;
-  const double since = stamp_s - before->stamp_s;
-  const double until = after->stamp_s - stamp_s;
+  const double since = stamp - before->stamp;
+  const double until = after->stamp - stamp;
   if (!(std::max(since, until) < max_gap_s)) return std::nullopt;
   return interpolate(before->T_world_body, after->T_world_body, since / (since + until), rule);
 }

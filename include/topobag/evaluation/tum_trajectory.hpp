@@ -31,7 +31,7 @@ Trajectory read_tum(Stream& stream, const std::string& name) {
     }
     const bool first = trajectory.empty();
     const double stamp =
-        detail::later_stamp(lines, numbers, first, first ? 0.0 : trajectory.back().stamp_s);
+        detail::later_stamp(lines, numbers, first, first ? 0.0 : trajectory.back().stamp);
     trajectory.push_back({stamp, detail::pose_from_quaternion(lines, numbers.data() + 1)});
   }
   return trajectory;
@@ -51,7 +51,7 @@ Trajectory read_tum(const Path& path) {
 template <typename Poses = Trajectory>
 void write_tum(std::ostream& stream, const Poses& trajectory) {
   for (const auto& pose : trajectory) {
-    write_number(stream, pose.stamp_s);
+    write_number(stream, pose.stamp);
     detail::write_pose(stream.put(' '), pose.T_world_body);
     stream.put('\n');
   }

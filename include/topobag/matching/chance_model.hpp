@@ -50,10 +50,10 @@ inline namespace v0 {
 /// are known (`AppearanceModel`).
 struct ChanceModel {
   double fill = 1.5;  ///< area that chance fills, in rectangles of the matched objects' scatter
-  double min_extent = 0.10;      ///< m, of each of its sides
-  double height_spread = 0.15;   ///< m; σ of the heights at which objects of one class stand
-  SizePrior sizes;               ///< how sizes of one class differ
-  double relabeling = 0.45;      ///< −log10 P of the label of a pair of two classes of one group
+  double min_extent = 0.10;     ///< m, of each of its sides
+  double height_spread = 0.15;  ///< m; σ of the heights at which objects of one class stand
+  SizePrior sizes;              ///< how sizes of one class differ
+  double relabeling = 0.45;     ///< −log10 P of the label of a pair of two classes of one group
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's
   AppearanceModel appearance{};               ///< what the looks of a pair say
@@ -155,7 +155,8 @@ struct ChanceModel {
     for (const auto& [group, c] : counts) {
       if (c.matched > std::min(c.candidate, c.query)) {
         throw InvalidValue(
-            "the pairs cannot be chosen: they have to be one-to-one, of nodes with positions and of "
+            "the pairs cannot be chosen: they have to be one-to-one, of nodes with positions and "
+            "of "
             "one class or one group of classes");
       }
       log_ways += log_choose(c.candidate, c.matched) + log_choose(c.query, c.matched) +

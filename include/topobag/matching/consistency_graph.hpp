@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,7 +31,7 @@ struct ConsistencyOptions {
   double min_tolerance = default_sensor.least_tolerance;  ///< m, whatever the covariances say
   double max_tolerance = default_sensor.gate;             ///< m
   NodeNoise noise = default_sensor.noise;  ///< of a node without a covariance, here and in the fit
-  std::size_t max_pairs = 160;  ///< beyond it classes with many keep the most alike
+  std::size_t max_pairs = 160;             ///< beyond it classes with many keep the most alike
 };
 
 /// The same-class node pairs of two graphs, and which of them agree: pairs (p, q), (p', q') of
@@ -41,21 +42,29 @@ class ConsistencyGraph {
   template <typename Scalar>
   ConsistencyGraph(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
                    const ConsistencyOptions& options)
+      : ConsistencyGraph(candidate, detail::KnownDistances<Scalar>(query, options.noise), options) {
+  }
+
+  /// The same with a query that is compared with many: what is known of its distances stays known.
+  template <typename Scalar>
+  ConsistencyGraph(const TopologyGraph<Scalar>& candidate,
+                   const detail::KnownDistances<Scalar>& query, const ConsistencyOptions& options)
       : complete_(true),
-        pairs_(best_pairs(candidate, query, options, complete_)),
+        pairs_(best_pairs(candidate, query.graph(), options, complete_)),
         agreement_(pairs_.size(), pairs_.size()),
-        vertical_(shared_vertical(candidate, query)),
+        vertical_(shared_vertical(candidate, query.graph())),
         candidate_distances_(candidate, vertical_ ? &*candidate.gravity() : nullptr, options.noise),
-        query_distances_(query, vertical_ ? &*query.gravity() : nullptr, options.noise) {
+        query_distances_(query.table(vertical_.has_value())) {
     points_.reserve(pairs_.size());
     query_of_.reserve(pairs_.size());
     for (const Correspondence& pair : pairs_) {
-      points_.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query), options.noise));
+      points_.push_back(point_pair(candidate.node(pair.candidate), query.graph().node(pair.query),
+                                   options.noise));
       query_of_.push_back(value(pair.query));
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const detail::Distance* p = candidate_distances_.row(value(pairs_[i].candidate));
-      const detail::Distance* q = query_distances_.row(value(pairs_[i].query));
+      const detail::Distance* q = query_distances_->row(value(pairs_[i].query));
       for (std::size_t j = i + 1; j < pairs_.size(); ++j) {
         if (pairs_[i].query == pairs_[j].query || pairs_[i].candidate == pairs_[j].candidate)
           continue;
@@ -82,7 +91,7 @@ class ConsistencyGraph {
       return table.row(value(a))[value(b)].length;
     };
     return length(candidate_distances_, pairs_[i].candidate, pairs_[j].candidate) -
-           length(query_distances_, pairs_[i].query, pairs_[j].query);
+           length(*query_distances_, pairs_[i].query, pairs_[j].query);
   }
 
   /// The vertical, where both graphs know it.
@@ -121,7 +130,7 @@ class ConsistencyGraph {
   detail::BitMatrix agreement_;
   std::optional<SharedVertical> vertical_;
   detail::DistanceTable candidate_distances_;
-  detail::DistanceTable query_distances_;
+  std::shared_ptr<const detail::DistanceTable> query_distances_;
 };
 
 }  // namespace v0

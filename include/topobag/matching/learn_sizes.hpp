@@ -83,13 +83,13 @@ SizePrior learn_sizes(const std::vector<Graph>& places, SizePrior prior = {}) {
       }
       detail::append_differences(middles, between);
       const auto count = static_cast<double>(middles.size());
-      const double variance = detail::drawn_variance(within, 0.0, objects - count,
-                                                     prior.spread.within[side], weight);
+      const double variance =
+          detail::drawn_variance(within, 0.0, objects - count, prior.spread.within[side], weight);
       spread.within[side] = std::sqrt(variance);
       // The middle of a place errs by what its few objects differ.
-      spread.between[side] = std::sqrt(detail::drawn_variance(
-          between, variance * count / std::max(1.0, objects), count - 1.0,
-          prior.spread.between[side], weight));
+      spread.between[side] =
+          std::sqrt(detail::drawn_variance(between, variance * count / std::max(1.0, objects),
+                                           count - 1.0, prior.spread.between[side], weight));
     }
   }
   return prior;

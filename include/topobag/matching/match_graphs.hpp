@@ -34,11 +34,11 @@ namespace detail {
 template <typename Scalar>
 class PoseSearch {
  public:
-  PoseSearch(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
+  PoseSearch(const TopologyGraph<Scalar>& candidate, const KnownDistances<Scalar>& query,
              const MatchOptions& options)
       : options_(options),
         graph_(candidate, query, options.consistency),
-        judge_(candidate, query, graph_.pairs(), graph_.points(), options) {}
+        judge_(candidate, query.graph(), graph_.pairs(), graph_.points(), options) {}
   PoseSearch(const PoseSearch&) = delete;
   PoseSearch& operator=(const PoseSearch&) = delete;
 
@@ -107,6 +107,13 @@ class PoseSearch {
   PoseJudge<Scalar> judge_;  ///< refers to `graph_`
 };
 
+/// `match_graphs` for a query that is matched with many.
+template <typename Scalar>
+GraphMatch match_known(const TopologyGraph<Scalar>& candidate, const KnownDistances<Scalar>& query,
+                       const MatchOptions& options) {
+  return PoseSearch<Scalar>(candidate, query, options).run();
+}
+
 }  // namespace detail
 
 /// Matches two graphs and works out every distinct pose between them, best first.
@@ -118,10 +125,14 @@ class PoseSearch {
 template <typename Scalar>
 GraphMatch match_graphs(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
                         const MatchOptions& options = {}) {
-  return detail::PoseSearch<Scalar>(candidate, query, options).run();
+  return detail::match_known(
+      candidate, detail::KnownDistances<Scalar>(query, options.consistency.noise), options);
 }
 
-#ifdef TOPOBAG_COMPILED  // it is in the library topobag::compiled
+#ifdef TOPOBAG_COMPILED  // these are in the library topobag::compiled
+extern template GraphMatch detail::match_known(const TopologyGraph<double>&,
+                                               const detail::KnownDistances<double>&,
+                                               const MatchOptions&);
 extern template GraphMatch match_graphs(const TopologyGraph<double>&, const TopologyGraph<double>&,
                                         const MatchOptions&);
 #endif

@@ -25,7 +25,7 @@ void add_votes(std::vector<AlignmentVote>& votes, const Bag& a, const Recognitio
                KeyframeId id, const Eigen::Isometry3d& T_b_camera) {
   for (const CandidateReport& report : recognition.candidates) {
     const bool one = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled ||
-                     report.verdict == Verdict::outdone;
+                     report.verdict == Verdict::not_best;
     if (!one && report.verdict != Verdict::ambiguous) continue;
     const auto info = stored_info(a, report.id, 0);
     if (!info || !info->T_world_camera) continue;
@@ -49,7 +49,7 @@ void add_votes(std::vector<AlignmentVote>& votes, const Bag& a, const Recognitio
 ///
 /// Refused when too few agree, and when another motion has more than a share of them: two maps of
 /// buildings with equal rooms tell no more. Key frames without a pose in the world say nothing.
-/// Deterministic. Cost: a look-up for each key frame that is asked.
+/// Deterministic. Cost: a query for each key frame that is asked.
 ///
 ///     if (const MapAlignment alignment = align_maps(a, b)) {
 ///       a.merge(b, {next_session, alignment.T_a_b->T});

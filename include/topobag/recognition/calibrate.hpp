@@ -22,11 +22,11 @@ using OtherPlaces = std::function<bool(KeyframeId, KeyframeId)>;
 
 /// How a map is asked for its own false scores.
 struct CalibrateOptions {
-  std::size_t null_look_ups = 400;   ///< when the map has too few certain negatives
+  std::size_t null_queries = 400;    ///< when the map has too few certain negatives
   std::uint32_t seed = 1;            ///< of the null model
   PoseNegativeOptions by_pose{};     ///< what is false of key frames with a pose in the world
   CalibrationOptions calibration{};  ///< how scores become rates
-  std::function<void()> on_look_up;  ///< when set, called after each, to tell how far it has come
+  std::function<void()> on_query;    ///< when set, called after each, to tell how far it has come
 };
 
 namespace detail {
@@ -39,17 +39,17 @@ inline std::size_t even_draw(std::size_t i, std::size_t draws, std::size_t size)
 
 /// Permuted layouts of the key frames, drawn evenly, looked up in the whole map.
 template <typename Bag>
-void add_null_look_ups(Calibration& calibration, const Relocalizer<Bag>& relocalizer,
-                       const std::vector<KeyframeId>& keyframes, const CalibrateOptions& options) {
+void add_null_queries(Calibration& calibration, const Relocalizer<Bag>& relocalizer,
+                      const std::vector<KeyframeId>& keyframes, const CalibrateOptions& options) {
   const RecognitionOptions recognition = without_threshold(relocalizer.options());
-  for (std::size_t i = 0; i < options.null_look_ups; ++i) {
-    const std::size_t drawn = even_draw(i, options.null_look_ups, keyframes.size());
+  for (std::size_t i = 0; i < options.null_queries; ++i) {
+    const std::size_t drawn = even_draw(i, options.null_queries, keyframes.size());
     const auto graph = relocalizer.map().find(keyframes[drawn]);
     if (!graph) continue;  // erased meanwhile
     const auto layout = permuted_layout(*graph, options.seed + static_cast<std::uint32_t>(i));
     const Recognition found = relocalizer.localize(layout, recognition);
     if (!found.candidates.empty()) calibration.add_null(false_score(found));
-    if (options.on_look_up) options.on_look_up();
+    if (options.on_query) options.on_query();
   }
 }
 
@@ -59,7 +59,7 @@ void add_null_look_ups(Calibration& calibration, const Relocalizer<Bag>& relocal
 /// without itself and its neighbours in time, and the best match that puts it elsewhere is false;
 /// every other one is looked up among those that `other_places` says cannot be its place. If that
 /// gives too few certain negatives, as in a map of one place, permuted layouts of key frames from
-/// all over the map are looked up in it. Deterministic. Cost: a look-up each.
+/// all over the map are looked up in it. Deterministic. Cost: a query for each.
 ///
 ///     Calibration calibration = calibrate(relocalizer, ids, other_places);
 ///     options.decision.calibration = calibration;  // and options.decision.false_accept_rate
@@ -92,10 +92,10 @@ Calibration calibrate(const Relocalizer<Bag>& relocalizer, const std::vector<Key
                      return other_places(id, entry);
                    }));
     }
-    if (options.on_look_up) options.on_look_up();
+    if (options.on_query) options.on_query();
   }
   if (calibration.source() == CalibrationSource::null_model && !usable.empty()) {
-    detail::add_null_look_ups(calibration, relocalizer, usable, options);
+    detail::add_null_queries(calibration, relocalizer, usable, options);
   }
   return calibration;
 }

@@ -25,7 +25,7 @@ inline const char* to_string(CalibrationSource source) noexcept {
 /// When certain negatives are enough, and what is expected beforehand.
 struct CalibrationOptions {
   std::size_t min_negatives = 200;  ///< certain negatives from which on the null model is left
-  double prior = 0.5;               ///< share of look-ups that are of a place in the map
+  double prior = 0.5;               ///< share of queries that are of a place in the map
   double max_repeats = 0.02;  ///< share of certain negatives beyond chance that still carries over
 };
 
@@ -41,10 +41,10 @@ struct CarryOver {
 /// Turns scores into what a user can bear: a false-accept rate, and the probability that an
 /// accepted match is true.
 ///
-/// It learns from look-ups that are known to be false: by the poses in the world, or because the
+/// It learns from queries that are known to be false: by the poses in the world, or because the
 /// front end says which key frames cannot be the query's place (`certain_negatives.hpp`); until
-/// there are enough of them, a null model serves (`null_model.hpp`). All rates are of look-ups in
-/// maps of about the size learnt from. The look-ups of one map overlap, so they count for fewer
+/// there are enough of them, a null model serves (`null_model.hpp`). All rates are of queries in
+/// maps of about the size learnt from. The queries of one map overlap, so they count for fewer
 /// than they are.
 class Calibration {
  public:
@@ -71,14 +71,14 @@ class Calibration {
     repeats_ = repeats;
   }
 
-  /// A look-up of a place elsewhere; see `false_score` and `false_score_by_pose`.
+  /// A query of a place elsewhere; see `false_score` and `false_score_by_pose`.
   /// @param beyond_chance  a decision without calibration would ask for no higher score
   void add_negative(std::optional<double> score, bool beyond_chance = false) {
     negatives_.add(score);
     if (score && beyond_chance) ++repeats_;
   }
 
-  /// A look-up of a layout that is nowhere.
+  /// A query of a layout that is nowhere.
   void add_null(std::optional<double> score) { null_.add(score); }
 
   /// Certain negatives that were added.
@@ -90,34 +90,34 @@ class Calibration {
                                                        : CalibrationSource::null_model;
   }
 
-  /// Look-ups that answers rest on.
-  std::size_t look_ups() const noexcept { return current().size(); }
+  /// Queries that answers rest on.
+  std::size_t queries() const noexcept { return current().size(); }
 
-  /// The score to ask for when this share of false look-ups may be accepted. Extrapolated for a
-  /// rate below one in the look-ups seen; from none seen it follows the chance model alone.
+  /// The score to ask for when this share of false queries may be accepted. Extrapolated for a
+  /// rate below one in the queries seen; from none seen it follows the chance model alone.
   ScoreThreshold threshold(double false_accept_rate) const {
     return current().threshold(false_accept_rate);
   }
 
-  /// The share of false look-ups that reach `score`.
+  /// The share of false queries that reach `score`.
   FalseAcceptRate false_accept_rate(double score) const { return current().rate(score); }
 
-  /// P(true | a look-up reaches `score`) by Bayes' rule, were every true look-up to reach it. The
-  /// rate is never taken for less than 1 / (look-ups + 1): so many false ones say no more, however
+  /// P(true | a query reaches `score`) by Bayes' rule, were every true query to reach it. The
+  /// rate is never taken for less than 1 / (queries + 1): so many false ones say no more, however
   /// high the score; none seen, it is the prior.
   double probability(double score) const {
-    const double least = 1.0 / (static_cast<double>(look_ups()) + 1.0);
+    const double least = 1.0 / (static_cast<double>(queries()) + 1.0);
     const double rate = std::max(false_accept_rate(score).rate, least);
     return options_.prior / (options_.prior + (1.0 - options_.prior) * rate);
   }
 
   /// Whether `score` lies beyond every false score seen, so that its probability is the most that
-  /// this many look-ups can say.
+  /// this many queries can say.
   bool is_extrapolated(double score) const { return false_accept_rate(score).extrapolated; }
 
   /// Whether the map speaks against using this elsewhere: it does when more than `max_repeats` of
   /// the certain negatives reach the score that a decision without calibration asks for, which
-  /// chance does about once in a thousand look-ups. Then layouts repeat in the map, the scores
+  /// chance does about once in a thousand queries. Then layouts repeat in the map, the scores
   /// learnt are those of its own repetitions, and another place's are others. The null model, which
   /// knows no repetitions, says nothing here; nor does a map without certain negatives.
   CarryOver carries_over() const {
@@ -126,7 +126,7 @@ class Calibration {
     answer.repeats = static_cast<double>(repeats_) / static_cast<double>(negatives_.size());
     if (answer.repeats > options_.max_repeats) {
       answer.reason = std::to_string(repeats_) + " of " + std::to_string(negatives_.size()) +
-                      " look-ups match another place better than chance does: layouts repeat, so "
+                      " queries match another place better than chance does: layouts repeat, so "
                       "what was learnt here may not hold elsewhere.";
     }
     return answer;

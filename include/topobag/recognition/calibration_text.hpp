@@ -90,12 +90,12 @@ inline void append_scores(std::string& text, const std::string& key, const False
 }
 
 inline FalseScores read_scores(CalibrationLines& lines, const std::string& key) {
-  const auto look_ups = lines.number<std::size_t>(lines.behind(key + "_look_ups"));
+  const auto queries = lines.number<std::size_t>(lines.behind(key + "_look_ups"));
   const auto count = lines.number<std::size_t>(lines.behind(key + "_scores"));
   std::vector<double> scores;  // not reserved: the count is a claim
   while (scores.size() < count) scores.push_back(lines.number<double>(lines.next()));
   try {
-    return FalseScores(look_ups, std::move(scores));
+    return FalseScores(queries, std::move(scores));
   } catch (const InvalidValue& error) {
     lines.fail(std::string(error.what()) + '.');
   }
@@ -146,7 +146,7 @@ inline std::size_t read_version(CalibrationLines& lines, std::string_view text) 
 }  // namespace detail
 
 /// A calibration as text, a value on each line: its version, the least that holds it, what it goes
-/// by, its options, the look-ups and their scores, and what looks say where that was learnt.
+/// by, its options, the queries and their scores, and what looks say where that was learnt.
 /// `parse_calibration` turns it back into the same one, to the last bit; no locale has a say. O(n).
 inline std::string to_string(const Calibration& calibration) {
   const CalibrationOptions& options = calibration.options();
@@ -183,7 +183,7 @@ inline Calibration parse_calibration(std::string_view text) {
   try {
     Calibration calibration(options, std::move(negatives), std::move(null), repeats);
     if (source != to_string(calibration.source())) {
-      lines.fail("the look-ups do not make its source '" + source + "'.");
+      lines.fail("the queries do not make its source '" + source + "'.");
     }
     lines.require_end();
     if (appearance) calibration.set_appearance(*appearance);

@@ -20,7 +20,7 @@
 namespace topobag {
 inline namespace v0 {
 
-/// Options under which a look-up shows its score whatever it is, to learn from.
+/// Options under which a query shows its score whatever it is, to learn from.
 inline RecognitionOptions without_threshold(RecognitionOptions options) {
   options.decision.calibration.reset();
   options.decision.min_score = -1e6;
@@ -75,7 +75,7 @@ bool is_elsewhere(const Report& report, const Eigen::Isometry3d& T_world_candida
 
 }  // namespace detail
 
-/// The least threshold that would have refused a look-up of a place that cannot be in the map, made
+/// The least threshold that would have refused a query of a place that cannot be in the map, made
 /// `without_threshold`; nothing when it was refused for another reason.
 inline std::optional<double> false_score(const Recognition& recognition) {
   if (!recognition) return std::nullopt;
@@ -105,12 +105,12 @@ std::optional<double> false_score_by_pose(const Recognition& recognition, const 
   return best;
 }
 
-/// Whether a decision at its defaults, without calibration, would ask this look-up for no more.
+/// Whether a decision at its defaults, without calibration, would ask this query for no more.
 inline bool is_beyond_chance(const Recognition& recognition, std::optional<double> score) {
   return score && *score >= DecisionOptions{}.threshold(recognition.places);
 }
 
-/// Adds a look-up of a place that cannot be in the map, made `without_threshold`. One that compared
+/// Adds a query of a place that cannot be in the map, made `without_threshold`. One that compared
 /// nothing teaches nothing. Whether it was added.
 inline bool add_negative(Calibration& calibration, const Recognition& recognition) {
   if (recognition.candidates.empty()) return false;
@@ -119,15 +119,15 @@ inline bool add_negative(Calibration& calibration, const Recognition& recognitio
   return true;
 }
 
-/// Adds a look-up whose query's pose in the world is known, wherever it is: also while mapping, to
+/// Adds a query whose pose in the world is known, wherever it is: also while mapping, to
 /// a calibration that runs.
 ///
 ///     const RecognitionOptions open = without_threshold(loops.options());
 ///     const Recognition all = loops.detect(stamp, graph, session, open);
 ///     if (add_negative_by_pose(calibration, all, loops.bag(), T_world_camera)) { … }
 ///
-/// Best made `without_threshold`: of a usual look-up, scores below its threshold may be missing. An
-/// entry that was matched where the query is leaves no room for a false match: a look-up teaches
+/// Best made `without_threshold`: of a usual query, scores below its threshold may be missing. An
+/// entry that was matched where the query is leaves no room for a false match: a query teaches
 /// nothing when more than half of its entries with a pose in the world were, or when it compared
 /// none. So a map of one place teaches nothing of others. Whether it was added. Throws as
 /// `false_score_by_pose`. O(candidates).

@@ -12,23 +12,24 @@
 namespace topobag {
 inline namespace v0 {
 
-/// When a match is believed, stated as a rate: of the look-ups of places that the map does not
+/// When a match is believed, stated as a rate: of the queries of places that the map does not
 /// hold, so many may be accepted, however large the map. One set for all data; the pages say how it
 /// was chosen.
 ///
-/// A score is −log10 of the odds that chance gave one match of one place as good. A look-up asks
+/// A score is −log10 of the odds that chance gave one match of one place as good. A query asks
 /// every place of the map, those that retrieval passes over as well, but only the N that hold such
 /// objects as were matched could have given that match. Among them chance gives N · 10^−score: the
 /// score to ask for is log10(N / rate), less what the chance model, which bounds a probability from
 /// above, is too careful by (`surplus`). A keyboard, a monitor and a mouse are asked of the few
 /// places with all three, four chairs of nearly all.
 struct DecisionOptions {
-  double false_accept_rate = 1e-3;  ///< share of look-ups of places that the map does not hold
+  double false_accept_rate = 1e-3;  ///< share of queries of places that the map does not hold
   double min_lead = 1.0;            ///< in support, over every pose that puts the query elsewhere
-  double lead_deviations = 3.0;  ///< σ of the noise of both, more, over a place believable by itself
-  double rival_support = 1.0;    ///< positive; from which another place is that, in full
-  std::size_t more_places = 5;  ///< that are taken to hold such objects, of all: a map of few places
-                                ///< does not tell what is rare
+  double lead_deviations =
+      3.0;                     ///< σ of the noise of both, more, over a place believable by itself
+  double rival_support = 1.0;  ///< positive; from which another place is that, in full
+  std::size_t more_places = 5;  ///< that are taken to hold such objects, of all: a map of few
+                                ///< places does not tell what is rare
   double surplus = 1.25;  ///< decades by which 10^−score exceeds the rate of chance, as measured
 
   std::optional<Calibration> calibration{};  ///< learnt in this very map: says the score to ask for

@@ -12,8 +12,8 @@
 #include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/point_pair.hpp>
 #include <topobag/recognition/changes.hpp>
-#include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
+#include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/types/class_catalog.hpp>
@@ -93,10 +93,10 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
                       true,
                       {}});
   }
-  if (report.verdict == Verdict::outdone && !report.place_support) {
+  if (report.verdict == Verdict::not_best && !report.place_support) {
     stages.push_back({"first of its place, which is judged for all", false, 0.0, 1.0, true, {}});
   } else if (best_margin &&
-             (report.verdict == Verdict::accepted || report.verdict == Verdict::outdone)) {
+             (report.verdict == Verdict::accepted || report.verdict == Verdict::not_best)) {
     stages.push_back({"lead over the threshold, beside the best one's",
                       report.verdict == Verdict::accepted,
                       report.margin(),
@@ -110,7 +110,7 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
 }  // namespace detail
 
 /// The reasons behind one candidate's verdict.
-/// @param options      those of the look-up
+/// @param options      those of the query
 /// @param best_margin  the accepted candidate's, when one was accepted
 template <typename Scalar>
 CandidateExplanation explain_candidate(const CandidateReport& report,
@@ -149,7 +149,7 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
          missing.of_candidate ? position : pose.T_candidate_query * position, missing.views,
          missing.measured_views, missing.cost});
   }
-  if (report.verdict == Verdict::accepted || report.verdict == Verdict::outdone) {
+  if (report.verdict == Verdict::accepted || report.verdict == Verdict::not_best) {
     ChangeOptions changes;
     changes.classes = options.matching.consistency.classes;
     for (const ObjectChange& change : what_changed(candidate, query, pose, changes)) {
@@ -171,7 +171,7 @@ extern template CandidateExplanation explain_candidate(
 /// @param bag      gives the candidates' graphs by `find`; one that is gone since, or has fewer
 ///                 nodes than its report speaks of, is passed over
 /// @param query    the graph that was looked up
-/// @param options  those of the look-up
+/// @param options  those of the query
 /// @param max_candidates  that are told of, in the order of the recognition's: an accepted one is
 ///                        among the first, whose places were asked
 /// O(candidates · n · k).

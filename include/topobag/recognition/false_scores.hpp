@@ -15,9 +15,9 @@
 namespace topobag {
 inline namespace v0 {
 
-/// A share of look-ups in [0, 1].
+/// A share of queries in [0, 1].
 struct FalseAcceptRate {
-  double rate = 1.0;         ///< share of false look-ups
+  double rate = 1.0;         ///< share of false queries
   bool extrapolated = true;  ///< beyond what was seen
 };
 
@@ -27,44 +27,44 @@ struct ScoreThreshold {
   bool extrapolated = true;  ///< beyond what was seen
 };
 
-/// The best scores of look-ups that are known to be false, and what they say of the next one.
+/// The best scores of queries that are known to be false, and what they say of the next one.
 ///
 /// Within the scores seen, the rate of a threshold is the conformal (1 + those at or above it) /
-/// (1 + all): of a further look-up of the same kind it is the probability to be accepted, or more.
+/// (1 + all): of a further query of the same kind it is the probability to be accepted, or more.
 /// Beyond them the scores' upper tail goes on exponentially, as that of a −log10 of a probability
 /// does: the mean excess over the least of the best tenth gives its slope, which is never
 /// taken for steeper than the chance model's own, 10^−score.
 class FalseScores {
  public:
-  /// Of no look-ups.
+  /// Of no queries.
   FalseScores() = default;
 
   /// What another one's `size` and `scores` told. Throws InvalidValue when a score is not finite,
-  /// or when there are more scores than look-ups. O(n log n).
-  FalseScores(std::size_t look_ups, std::vector<double> scores)
-      : look_ups_(look_ups), scores_(std::move(scores)) {
-    if (scores_.size() > look_ups_) throw InvalidValue("there are more false scores than look-ups");
+  /// or when there are more scores than queries. O(n log n).
+  FalseScores(std::size_t queries, std::vector<double> scores)
+      : queries_(queries), scores_(std::move(scores)) {
+    if (scores_.size() > queries_) throw InvalidValue("there are more false scores than queries");
     for (const double score : scores_) require_finite(score);
     std::sort(scores_.begin(), scores_.end(), std::greater<>());
   }
 
-  /// @param score  the least threshold that would have refused the look-up; nothing when every one
+  /// @param score  the least threshold that would have refused the query; nothing when every one
   /// does. Throws InvalidValue when it is not finite. O(n).
   void add(std::optional<double> score) {
     if (score) require_finite(*score);
-    ++look_ups_;
+    ++queries_;
     if (!score) return;
     scores_.insert(std::upper_bound(scores_.begin(), scores_.end(), *score, std::greater<>()),
                    *score);
   }
 
-  /// All look-ups, the ones without a score too.
-  std::size_t size() const noexcept { return look_ups_; }
+  /// All queries, the ones without a score too.
+  std::size_t size() const noexcept { return queries_; }
 
-  /// Those of the look-ups that had one, falling.
+  /// Those of the queries that had one, falling.
   const std::vector<double>& scores() const noexcept { return scores_; }
 
-  /// The share of false look-ups that a threshold accepts. Falls with it. O(n).
+  /// The share of false queries that a threshold accepts. Falls with it. O(n).
   FalseAcceptRate rate(double threshold) const {
     const auto above =
         std::upper_bound(scores_.begin(), scores_.end(), threshold, std::greater<>());
@@ -75,8 +75,8 @@ class FalseScores {
     return {std::min(beyond, 1.0 / (count() + 1.0)), true};
   }
 
-  /// The least threshold that accepts no larger share of false look-ups than `rate`. Extrapolated
-  /// for a rate below 1 / (look-ups + 1). Throws InvalidValue unless 0 < rate <= 1. O(n).
+  /// The least threshold that accepts no larger share of false queries than `rate`. Extrapolated
+  /// for a rate below 1 / (queries + 1). Throws InvalidValue unless 0 < rate <= 1. O(n).
   ScoreThreshold threshold(double rate) const {
     if (!(rate > 0.0 && rate <= 1.0)) {
       throw InvalidValue("a false-accept rate must be in (0, 1]");
@@ -95,7 +95,7 @@ class FalseScores {
  private:
   struct Tail {
     double start;        // score
-    double share;        // of the look-ups above it
+    double share;        // of the queries above it
     double mean_excess;  // score
   };
 
@@ -103,7 +103,7 @@ class FalseScores {
     if (!std::isfinite(score)) throw InvalidValue("a false score must be finite");
   }
 
-  double count() const { return static_cast<double>(look_ups_); }
+  double count() const { return static_cast<double>(queries_); }
 
   static double just_above(double score) {
     return std::nextafter(score, std::numeric_limits<double>::infinity());
@@ -121,9 +121,9 @@ class FalseScores {
             std::max(least_excess, excess / static_cast<double>(size))};
   }
 
-  static constexpr double tail_share = 0.1;  // of the look-ups, whose scores make the tail
+  static constexpr double tail_share = 0.1;  // of the queries, whose scores make the tail
 
-  std::size_t look_ups_ = 0;
+  std::size_t queries_ = 0;
   std::vector<double> scores_;  // falling
 };
 

@@ -41,7 +41,7 @@ std::vector<KeyframeId> keyframes_within(const Bag& bag, const typename Bag::Gra
                                          QueryOptions retrieval, const MapRegion& region, long) {
   if (!retrieval.among.region) retrieval.among.region = region;
   retrieval.max_results = std::numeric_limits<std::size_t>::max();
-  retrieval.min_score = 0.0;
+  retrieval.min_similarity = 0.0;
   std::vector<KeyframeId> ids;
   for (const Candidate& candidate : bag.query(query, retrieval)) ids.push_back(candidate.id);
   return ids;

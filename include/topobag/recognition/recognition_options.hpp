@@ -17,11 +17,10 @@ inline namespace v0 {
 
 /// The steps from a query to an answer.
 struct RecognitionOptions {
-  std::size_t max_candidates = 64;  ///< best of the retrieval that are matched; all in a small bag
-  QueryOptions retrieval{};         ///< its `max_results` is overruled by `max_candidates`
-  MatchOptions matching{};          ///< how poses are found
-  PlaceOptions place{};             ///< how they are judged again by all that is around
-  DecisionOptions decision{};       ///< when a pose is believed
+  QueryOptions retrieval{64};  ///< whom to match: its best so many, all in a small bag
+  MatchOptions matching{};     ///< how poses are found
+  PlaceOptions place{};        ///< how they are judged again by all that is around
+  DecisionOptions decision{};  ///< when a pose is believed
 };
 
 /// The defaults for a sensor.

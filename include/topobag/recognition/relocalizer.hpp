@@ -34,7 +34,7 @@ class Relocalizer {
  public:
   using Bag = std::remove_reference_t<Bag_>;
   using Graph = typename Bag::Graph;
-  static_assert(is_look_up_bag_v<detail::PresentView<Bag>>,
+  static_assert(is_searchable_bag_v<detail::PresentView<Bag>>,
                 "topobag: a bag to look up in has Graph = TopologyGraph<Scalar>, query(graph, "
                 "QueryOptions) const -> std::vector<Candidate> and find(KeyframeId) const -> "
                 "std::optional<Graph>, or a view() that has.");
@@ -55,16 +55,14 @@ class Relocalizer {
   const Bag& map() const noexcept { return map_; }
 
   /// Where in the map the query was taken, and why, or why not. The query is not added.
-  /// Deterministic. O(n · similarity + max_candidates · matching).
+  /// Deterministic. O(n · similarity + candidates · matching).
   Recognition localize(const Graph& query) const { return localize(query, options_); }
 
   /// The same with options for this query alone.
   Recognition localize(const Graph& query, const RecognitionOptions& options) const {
-    QueryOptions retrieval = options.retrieval;
-    retrieval.max_results = options.max_candidates;
     // Asked and verified as it is now, whatever a writer does meanwhile.
     const auto map = detail::present_view(map_, 0);
-    return verify_candidates(*map, query, map->query(query, retrieval), options);
+    return verify_candidates(*map, query, map->query(query, options.retrieval), options);
   }
 
   /// Those of every query that brings none.
@@ -94,10 +92,10 @@ class Relocalizer {
 };
 
 /// Of a map that lives elsewhere.
-template <typename Bag, std::enable_if_t<is_look_up_bag_v<detail::PresentView<Bag>>, int> = 0>
+template <typename Bag, std::enable_if_t<is_searchable_bag_v<detail::PresentView<Bag>>, int> = 0>
 explicit Relocalizer(Bag&) -> Relocalizer<Bag&>;
 /// The same with options.
-template <typename Bag, std::enable_if_t<is_look_up_bag_v<detail::PresentView<Bag>>, int> = 0>
+template <typename Bag, std::enable_if_t<is_searchable_bag_v<detail::PresentView<Bag>>, int> = 0>
 explicit Relocalizer(Bag&, RecognitionOptions) -> Relocalizer<Bag&>;
 
 }  // namespace v0

@@ -10,10 +10,10 @@ inline namespace v0 {
 enum class Verdict {
   no_agreement,  ///< no three objects of the same classes lie alike
   degenerate,  ///< the matched objects leave the pose open: nearly on a line, or too close together
-  chance,      ///< such a match would come about by chance too often, or too much is missing
-  ambiguous,   ///< another pose in the same candidate fits about as well
-  rivalled,    ///< another place of the map fits about as well
-  outdone,     ///< good enough, but another candidate, of its place or another, is better
+  insignificant,  ///< such a match would come about by chance too often, or too much is missing
+  ambiguous,      ///< another pose in the same candidate fits about as well
+  rivalled,       ///< another place of the map fits about as well
+  not_best,       ///< good enough, but another candidate, of its place or another, is better
   accepted,
 };
 
@@ -24,13 +24,13 @@ inline const char* to_string(Verdict verdict) noexcept {
       return "no three objects agree";
     case Verdict::degenerate:
       return "the matched objects leave the pose open";
-    case Verdict::chance:
+    case Verdict::insignificant:
       return "may well be chance";
     case Verdict::ambiguous:
       return "another pose fits about as well";
     case Verdict::rivalled:
       return "another place fits about as well";
-    case Verdict::outdone:
+    case Verdict::not_best:
       return "another candidate is better";
     case Verdict::accepted:
       return "accepted";

@@ -70,11 +70,10 @@ Verdict judge_candidate(const CandidateReport& report, const Graph& query,
                         const DecisionOptions& options) {
   if (!report.pose) return Verdict::no_agreement;
   if (report.pose->degenerate) return Verdict::degenerate;
-  if (!(report.margin() >= 0.0)) return Verdict::chance;
+  if (!(report.margin() >= 0.0)) return Verdict::insignificant;
   const bool ambiguous =
-      std::any_of(report.other_poses.begin(), report.other_poses.end(), [&](const auto& other) {
-        return is_rival(other, *report.pose, query, options);
-      });
+      std::any_of(report.other_poses.begin(), report.other_poses.end(),
+                  [&](const auto& other) { return is_rival(other, *report.pose, query, options); });
   if (ambiguous) return Verdict::ambiguous;
   return report.rival ? Verdict::rivalled : Verdict::accepted;
 }
@@ -83,19 +82,21 @@ Verdict judge_candidate(const CandidateReport& report, const Graph& query,
 /// @param places  of the whole bag
 template <typename Bag>
 CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
-                               const typename Bag::Graph& graph, const typename Bag::Graph& query,
+                               const typename Bag::Graph& graph,
+                               const KnownDistances<typename Bag::Graph::Scalar>& known,
                                const RecognitionOptions& options, std::size_t places) {
+  const typename Bag::Graph& query = known.graph();
   const auto places_for = [&](const ClassCounts& objects) {
     const auto& classes = options.matching.consistency.classes;
-    return std::min(places, places_holding(bag, objects, classes, places, 0) +
-                                options.decision.more_places);
+    return std::min(
+        places, places_holding(bag, objects, classes, places, 0) + options.decision.more_places);
   };
   CandidateReport report;
   report.id = candidate.id;
-  report.similarity = candidate.score;
+  report.similarity = candidate.similarity;
   report.places = places;
   report.threshold = options.decision.threshold(places);
-  GraphMatch match = match_graphs(graph, query, options.matching);
+  GraphMatch match = match_known(graph, known, options.matching);
   report.complete = match.complete;
   if (match.poses.empty()) return report;
   prefer_determined(match.poses, [&](const RelativePose& pose) {
@@ -137,22 +138,23 @@ Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query
   recognition.usable = query.is_matchable();
   if (!recognition.usable) return recognition;
   recognition.places = detail::places_of(bag, candidates.size(), 0);
+  const detail::KnownDistances<Scalar> known(query, options.matching.consistency.noise);
   auto& reports = recognition.candidates;
   for (const Candidate& candidate : candidates) {
     const auto graph = detail::stored_graph(bag, candidate.id, 0);
     if (!graph) continue;
     reports.push_back(
-        detail::matched_report(bag, candidate, *graph, query, options, recognition.places));
+        detail::matched_report(bag, candidate, *graph, known, options, recognition.places));
   }
   detail::judge_places(bag, query, options, reports);
   for (CandidateReport& report : reports) {
     report.verdict = detail::judge_candidate(report, query, options.decision);
     // A pose that was not judged by its place is of a better one's, or of none among the best.
     const bool passed = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled;
-    if (passed && !report.place_support) report.verdict = Verdict::outdone;
+    if (passed && !report.place_support) report.verdict = Verdict::not_best;
     // A calibration knows the scores of matches with one clear pose, and says nothing of others.
     if (options.decision.calibration && report.place_support &&
-        (report.verdict == Verdict::accepted || report.verdict == Verdict::chance)) {
+        (report.verdict == Verdict::accepted || report.verdict == Verdict::insignificant)) {
       report.confidence = options.decision.calibration->probability(report.score());
     }
   }
@@ -165,7 +167,7 @@ Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query
   for (CandidateReport& report : reports) {
     if (report.verdict != Verdict::accepted) continue;
     if (recognition.accepted) {
-      report.verdict = Verdict::outdone;
+      report.verdict = Verdict::not_best;
     } else {
       recognition.accepted = report;
       if (report.place_pose) {

@@ -58,29 +58,43 @@ struct ClassPairDistanceHistogram {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const Node& node = nodes[i];
       const double weight = weights(node.label);
-      visit(detail::histogram_word(node.label), class_vote * weight);
+      visit(class_word(node.label), class_vote * weight);
       const double sides[] = {static_cast<double>(node.size.x()),
                               static_cast<double>(node.size.y())};
       for (std::uint64_t side = 0; side < 2; ++side) {
         if (!(sides[side] > 0.0)) continue;
-        // Words of four parts, so none is a pair's.
+        const std::uint64_t words = side_words(node.label, side);
         for (const auto& [bin, share] : side_bins(octaves(sides[side]))) {
-          visit(detail::histogram_word(node.label, node.label, side, bin),
-                size_vote * weight * share);
+          visit(detail::next_word(words, bin), size_vote * weight * share);
         }
       }
       if (!node.position) continue;
       for (std::size_t j = i + 1; j < nodes.size(); ++j) {
         if (!nodes[j].position) continue;
         const auto [low, high] = std::minmax(node.label, nodes[j].label);
-        const double pair_weight = std::sqrt(weights(low) * weights(high));
+        const double vote = pair_vote(low, high);
+        const std::uint64_t words = pair_words(low, high);
         const auto distance = static_cast<double>((*node.position - *nodes[j].position).norm());
         for (const auto& [bin, share] : distance_bins(distance)) {
-          visit(detail::histogram_word(low, high, bin), pair_weight * share);
+          visit(detail::next_word(words, bin), vote * share);
         }
       }
     }
   }
+
+  /// The word that stands for a class alone.
+  static std::uint64_t class_word(ClassId label) { return detail::histogram_word(label); }
+  /// What the words of a pair of classes have before the bin of its distance; `low` <= `high`.
+  static std::uint64_t pair_words(ClassId low, ClassId high) {
+    return detail::word_prefix<3>(low, high);
+  }
+  /// What the words of a side of a class's boxes have before the bin of its length: words of four
+  /// parts, so that none is a pair's.
+  static std::uint64_t side_words(ClassId label, std::uint64_t side) {
+    return detail::word_prefix<4>(label, label, side);
+  }
+  /// The weight of a pair's vote.
+  double pair_vote(ClassId a, ClassId b) const { return std::sqrt(weights(a) * weights(b)); }
 
   /// Between which bins a pair `distance` m apart votes.
   std::array<detail::SoftBin, 2> distance_bins(double distance) const {

@@ -558,25 +558,25 @@ class ExcludedNeighbors:
     stamp: Optional[float]
 
 class QueryOptions:
-    def __init__(self, max_results: int = ..., min_score: float = ..., exclude: ExcludedNeighbors = ..., among: EntryFilter = ..., filter: Callable[[int, EntryInfo], bool] = ...) -> None: ...
+    def __init__(self, max_results: int = ..., min_similarity: float = ..., exclude: ExcludedNeighbors = ..., among: EntryFilter = ..., filter: Callable[[int, EntryInfo], bool] = ...) -> None: ...
     among: EntryFilter
     exclude: ExcludedNeighbors
     filter: Callable[[int, EntryInfo], bool]
     max_results: int
-    min_score: float
+    min_similarity: float
 
 class Candidate:
-    def __init__(self, id: int = ..., score: float = ...) -> None: ...
+    def __init__(self, id: int = ..., similarity: float = ...) -> None: ...
     def __eq__(self, arg0: Candidate) -> bool: ...
     id: int
-    score: float
+    similarity: float
 
 class SearchResult:
-    def __init__(self, candidates: list[Candidate] = ..., entries: int = ..., visited: int = ..., exact: bool = ..., missed_score: float = ...) -> None: ...
+    def __init__(self, candidates: list[Candidate] = ..., entries: int = ..., visited: int = ..., exact: bool = ..., missed_similarity: float = ...) -> None: ...
     candidates: list[Candidate]
     entries: int
     exact: bool
-    missed_score: float
+    missed_similarity: float
     visited: int
 
 class MergeOptions:
@@ -670,11 +670,11 @@ class PoseNegativeOptions:
     min_time_gap: float
 
 class CalibrateOptions:
-    def __init__(self, null_look_ups: int = ..., seed: int = ..., by_pose: PoseNegativeOptions = ..., calibration: CalibrationOptions = ..., on_look_up: Callable[[], None] = ...) -> None: ...
+    def __init__(self, null_queries: int = ..., seed: int = ..., by_pose: PoseNegativeOptions = ..., calibration: CalibrationOptions = ..., on_query: Callable[[], None] = ...) -> None: ...
     by_pose: PoseNegativeOptions
     calibration: CalibrationOptions
-    null_look_ups: int
-    on_look_up: Callable[[], None]
+    null_queries: int
+    on_query: Callable[[], None]
     seed: int
 
 class Calibration:
@@ -687,7 +687,7 @@ class Calibration:
     def from_text(text: str) -> Calibration: ...
     def is_extrapolated(self, score: float) -> bool: ...
     @property
-    def look_ups(self) -> int: ...
+    def queries(self) -> int: ...
     @property
     def negatives(self) -> int: ...
     def probability(self, score: float) -> float: ...
@@ -711,10 +711,9 @@ class DecisionOptions:
     def threshold(self, places: int) -> float: ...
 
 class RecognitionOptions:
-    def __init__(self, max_candidates: int = ..., retrieval: QueryOptions = ..., matching: MatchOptions = ..., place: PlaceOptions = ..., decision: DecisionOptions = ...) -> None: ...
+    def __init__(self, retrieval: QueryOptions = ..., matching: MatchOptions = ..., place: PlaceOptions = ..., decision: DecisionOptions = ...) -> None: ...
     decision: DecisionOptions
     matching: MatchOptions
-    max_candidates: int
     place: PlaceOptions
     retrieval: QueryOptions
 
@@ -726,10 +725,10 @@ class LoopOptions:
 class Verdict(enum.Enum):
     no_agreement = 0
     degenerate = 1
-    chance = 2
+    insignificant = 2
     ambiguous = 3
     rivalled = 4
-    outdone = 5
+    not_best = 5
     accepted = 6
 
 class RivalPlace:

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include <topobag/bag/detail/entry_key.hpp>
-#include <topobag/bag/detail/entry_record.hpp>
+#include <topobag/bag/detail/storage/entry_key.hpp>
+#include <topobag/bag/detail/storage/entry_record.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/merge_options.hpp>
 #include <topobag/types/appearance.hpp>

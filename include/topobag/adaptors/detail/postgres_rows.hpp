@@ -12,7 +12,7 @@
 #include <topobag/adaptors/detail/postgres_parameters.hpp>
 #include <topobag/adaptors/detail/postgres_result.hpp>
 #include <topobag/adaptors/fleet/fleet_version.hpp>
-#include <topobag/bag/detail/crc32.hpp>
+#include <topobag/bag/detail/storage/crc32.hpp>
 #include <topobag/types/appearance.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -42,8 +42,7 @@ inline std::int64_t checksum_of(const FleetVersion& version) {
     for (const double x : *version.pose) content += postgres_bytes(x);
   }
   content.append(version.graph.begin(), version.graph.end());
-  return std::int64_t{
-      crc32(reinterpret_cast<const std::uint8_t*>(content.data()), content.size())};
+  return std::int64_t{crc32(reinterpret_cast<const std::uint8_t*>(content.data()), content.size())};
 }
 
 inline constexpr const char* postgres_append =
@@ -66,8 +65,7 @@ inline constexpr const char* postgres_read =
 /// What names versions, and their checksums.
 inline PostgresParameters name_parameters(const std::vector<FleetVersion>& versions) {
   PostgresParameters parameters;
-  parameters
-      .add_array(postgres_text, versions, [](const auto& v) { return v.key.site; })
+  parameters.add_array(postgres_text, versions, [](const auto& v) { return v.key.site; })
       .add_array(postgres_uuid, versions, [](const auto& v) { return v.key.robot; })
       .add_array(postgres_uuid, versions, [](const auto& v) { return v.key.session; })
       .add_array(postgres_int8, versions, [](const auto& v) { return v.seq; })

@@ -15,8 +15,8 @@
 #include <Eigen/Geometry>
 
 #include <topobag/adaptors/detail/sqlite_statement.hpp>
-#include <topobag/bag/detail/crc32.hpp>
-#include <topobag/bag/detail/entry_record.hpp>
+#include <topobag/bag/detail/storage/crc32.hpp>
+#include <topobag/bag/detail/storage/entry_record.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>

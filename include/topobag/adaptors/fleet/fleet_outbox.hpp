@@ -17,7 +17,7 @@
 #include <topobag/adaptors/fleet/fleet_version.hpp>
 #include <topobag/adaptors/fleet/uuid.hpp>
 #include <topobag/adaptors/sqlite.hpp>
-#include <topobag/bag/detail/entry_record.hpp>
+#include <topobag/bag/detail/storage/entry_record.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/error.hpp>
 #include <topobag/types/utf8.hpp>

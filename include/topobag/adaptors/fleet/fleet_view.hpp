@@ -81,10 +81,11 @@ class FleetView {
          wider.max_results = beyond(found.size())) {
       found = bag_->query(graph, wider);
       if (found.size() < wider.max_results) break;
-      if (found.back().score < found[options.max_results - 1].score) break;
+      if (found.back().similarity < found[options.max_results - 1].similarity) break;
     }
     std::sort(found.begin(), found.end(), [&](const Candidate& l, const Candidate& r) {
-      return l.score != r.score ? l.score > r.score : key_order(l.id) < key_order(r.id);
+      return l.similarity != r.similarity ? l.similarity > r.similarity
+                                          : key_order(l.id) < key_order(r.id);
     });
     if (found.size() > options.max_results) found.resize(options.max_results);
     return found;

@@ -24,8 +24,8 @@ struct OrbSlamPlace {
   /// The candidate's pose at the time of the query, carried on.
   Eigen::Isometry3d T_world_query = Eigen::Isometry3d::Identity();
   double score = 0.0;      ///< `RelativePose::score()`
-  bool verified = false;   ///< passed every stage of the decision, or was only outdone; otherwise a
-                           ///< guess that the host has to test
+  bool verified = false;   ///< passed every stage of the decision, or was only not the best;
+                           ///< otherwise a guess that the host has to test
   bool other_map = false;  ///< in another map than was asked for (hosts with several)
 
   /// The host's `mTcw` for the query: world to camera.
@@ -46,7 +46,7 @@ void append_places(const CandidateReport& report, KeyFrame& key_frame, const voi
                       T_world_candidate * pose.T_candidate_query, pose.score(), verified,
                       other_map});
   };
-  offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::outdone);
+  offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::not_best);
   for (const RelativePose& other : report.other_poses) offer(other, false);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -45,7 +46,8 @@ class DistanceTable {
     for (std::size_t i = 0; i < size_; ++i) {
       const auto& node = graph.nodes()[i];
       if (!node.position) continue;
-      const Placed here{i, node.position->template cast<double>(), position_covariance(node, unmodelled)};
+      const Placed here{i, node.position->template cast<double>(),
+                        position_covariance(node, unmodelled)};
       for (const Placed& there : placed) {
         Distance distance =
             vertical ? level_distance(here, there, *vertical) : distance_between(here, there);
@@ -89,6 +91,33 @@ class DistanceTable {
 
   std::size_t size_;
   std::vector<Distance> distances_;
+};
+
+/// The tables of one graph that is compared with many, each worked out when it is first asked for.
+/// Refers to the graph; one thread at a time.
+template <typename Scalar>
+class KnownDistances {
+ public:
+  /// @param unmodelled  the noise of a node that has no covariance
+  KnownDistances(const TopologyGraph<Scalar>& graph, const NodeNoise& unmodelled)
+      : graph_(graph), unmodelled_(unmodelled) {}
+
+  const TopologyGraph<Scalar>& graph() const noexcept { return graph_; }
+
+  /// @param level  horizontal and vertical parts; precondition: the graph knows its vertical
+  std::shared_ptr<const DistanceTable> table(bool level) const {
+    auto& known = level ? level_ : whole_;
+    if (!known) {
+      known = std::make_shared<const DistanceTable>(graph_, level ? &*graph_.gravity() : nullptr,
+                                                    unmodelled_);
+    }
+    return known;
+  }
+
+ private:
+  const TopologyGraph<Scalar>& graph_;
+  NodeNoise unmodelled_;
+  mutable std::shared_ptr<const DistanceTable> whole_, level_;
 };
 
 }  // namespace detail

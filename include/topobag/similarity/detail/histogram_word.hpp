@@ -28,13 +28,20 @@ constexpr std::uint64_t next_word(std::uint64_t word, Part part) noexcept {
   return scatter(word ^ as_bits(part));
 }
 
+/// What a word of `size` parts is before the rest of them is taken in by `next_word`.
+template <std::size_t size, typename... Parts>
+constexpr std::uint64_t word_prefix(const Parts&... parts) noexcept {
+  static_assert(sizeof...(parts) <= size);
+  std::uint64_t word = size;
+  ((word = next_word(word, parts)), ...);
+  return word;
+}
+
 /// The word of a sequence of labels, bins and words. Two different sequences share one with
 /// probability 2⁻⁶⁴. The same on every machine.
 template <typename... Parts>
 constexpr std::uint64_t histogram_word(const Parts&... parts) noexcept {
-  std::uint64_t word = sizeof...(parts);
-  ((word = next_word(word, parts)), ...);
-  return word;
+  return word_prefix<sizeof...(parts)>(parts...);
 }
 
 }  // namespace detail
