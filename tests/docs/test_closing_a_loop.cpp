@@ -83,7 +83,7 @@ TEST_CASE("the map follows the back end, and takes in another", "[docs]") {
     CHECK(new_ids.at(KeyframeId{4}) == KeyframeId{12});
   }
   REQUIRE(map.size() == 13);
-  const auto moved = map.info(KeyframeId{12})->T_world_camera->translation();
+  const Eigen::Vector3d moved = map.info(KeyframeId{12})->T_world_camera->translation();
   CHECK((moved - room_in_row(4).translation()).norm() < 2.0);  // its camera's own place in the room
 }
 #endif
