@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <utility>
 #include <vector>
@@ -60,8 +61,10 @@ inline Eigen::Isometry3d random_camera(std::mt19937& random) {
 }
 
 /// Of a key frame that was taken there.
-inline topobag::EntryInfo standing_at(const Eigen::Isometry3d& T_world_camera) {
+inline topobag::EntryInfo standing_at(const Eigen::Isometry3d& T_world_camera,
+                                      std::uint32_t session = 0) {
   topobag::EntryInfo info;
+  info.session = session;
   info.T_world_camera = T_world_camera;
   return info;
 }

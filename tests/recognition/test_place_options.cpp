@@ -116,7 +116,7 @@ TEST_CASE("a place speaks against its key frame by no more than the option says"
     // Clutter of the same classes, seen by others from the same spot.
     for (unsigned other = 1; other < 4; ++other) {
       relocalizer.map().add(KeyframeId{other}, SyntheticRoom(20 + other, 30, 2).seen_from(here),
-                            standing_at(here));
+                            standing_at(here, other));
     }
     const Recognition found = relocalizer.localize(graph);
     REQUIRE_FALSE(found.candidates.empty());

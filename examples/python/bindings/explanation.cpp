@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/temporal_consistency.hpp>
+#include <topobag/recognition/why.hpp>
 
 #include <pybind11/eigen.h>
 
@@ -115,6 +116,11 @@ void bind_explanation(py::module_& module) {
       .attribute("usable", &Explanation::usable)
       .attribute("candidates", &Explanation::candidates);
   explanation.def("__str__", [](const Explanation& e) { return to_string(e); });
+  module.def(
+      "why", [](const Recognition& recognition) { return why(recognition); },
+      py::arg("recognition"),
+      "In one line why a query was or was not recognised: the accepted candidate's score, or the "
+      "nearest one's and what was against it. For all candidates, stage by stage: explain.");
   bind_temporal(module);
 }
 

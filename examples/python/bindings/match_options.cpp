@@ -25,7 +25,8 @@ void bind_chance(py::module_& module) {
       .field("min_extent", &ChanceModel::min_extent)
       .field("height_spread", &ChanceModel::height_spread)
       .field("sizes", &ChanceModel::sizes)
-      .field("relabeling", &ChanceModel::relabeling);
+      .field("relabeling", &ChanceModel::relabeling)
+      .field("appearance", &ChanceModel::appearance);
 }
 
 void bind_place_options(py::module_& module) {
@@ -49,6 +50,7 @@ void bind_place_options(py::module_& module) {
       .field("max_keyframes", &PlaceOptions::max_keyframes)
       .field("radius", &PlaceOptions::radius)
       .field("turn_weight", &PlaceOptions::turn_weight)
+      .field("spacing", &PlaceOptions::spacing)
       .field("max_neighbors", &PlaceOptions::max_neighbors)
       .field("max_contradiction", &PlaceOptions::max_contradiction)
       .field("margin", &PlaceOptions::margin)

@@ -17,6 +17,7 @@ PYBIND11_MODULE(_topobag, module) {
   python::bind_sensing(module);
   python::bind_graph(module);
   python::bind_similarity(module);
+  python::bind_appearance(module);
   python::bind_match_options(module);
   python::bind_local_graph(module);
   python::bind_matching(module);
@@ -25,6 +26,7 @@ PYBIND11_MODULE(_topobag, module) {
   python::bind_calibration(module);
   python::bind_recognition(module);
   python::bind_explanation(module);
+  python::bind_learning(module);
   python::bind_relocalizer(module);
   python::bind_trajectories(module);
   python::bind_evaluation(module);

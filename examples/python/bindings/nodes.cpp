@@ -4,7 +4,9 @@
 
 #include <topobag/graph/topology_graph.hpp>
 
+#include <topobag/sensing/color_descriptor.hpp>
 #include "fields.hpp"
+
 #include "node_array.hpp"
 #include "rooms.hpp"
 
@@ -86,6 +88,15 @@ void bind_nodes(py::module_& module) {
   py::class_<AppearanceKind>(module, "AppearanceKind", doc("AppearanceKind"))
       .def(py::init<std::string_view, std::size_t>(), py::arg("name"), py::arg("length"),
            doc("AppearanceKind.AppearanceKind"))
+      .def_static(
+          "color", [] { return topobag::ColorDescriptor::kind; }, "That of color_descriptors.")
+      .def(py::pickle(
+          [](const AppearanceKind& kind) { return py::make_tuple(kind.number(), kind.length()); },
+          [](const py::tuple& state) {
+            const auto length = state[1].cast<std::size_t>();
+            return length == 0 ? AppearanceKind()
+                               : AppearanceKind(state[0].cast<std::uint32_t>(), length);
+          }))
       .def_property_readonly("number", &AppearanceKind::number, doc("AppearanceKind.number"))
       .def_property_readonly("length", &AppearanceKind::length, doc("AppearanceKind.length"))
       .def("__eq__", [](const AppearanceKind& a, const AppearanceKind& b) { return a == b; })

@@ -66,6 +66,7 @@ void bind_recognition(py::module_& module) {
       .attribute("other_poses", &CandidateReport::other_poses)
       .attribute("matched", &CandidateReport::matched)
       .attribute("place_support", &CandidateReport::place_support)
+      .attribute("place_share", &CandidateReport::place_share)
       .attribute("rival", &CandidateReport::rival)
       .attribute("places", &CandidateReport::places)
       .attribute("threshold", &CandidateReport::threshold)

@@ -32,12 +32,12 @@ enum class AlignmentVerdict {
 /// How map b lies in map a.
 struct MapAlignment {
   AlignmentVerdict verdict = AlignmentVerdict::no_poses;  ///< whether, and why not
-  std::optional<PoseWithCovariance<>> T_a_b;  ///< from b's world to a's, when aligned
-  std::size_t asked = 0;                      ///< key frames of b
-  std::size_t matched = 0;                    ///< of them with a verified match
-  std::size_t agreeing = 0;                   ///< of them for the best alignment
-  std::size_t rivalling = 0;                  ///< of them for the best other one
-  std::size_t places = 0;                     ///< of b in which the agreeing stand
+  std::optional<PoseWithCovariance<>> T_a_b;              ///< from b's world to a's, when aligned
+  std::size_t asked = 0;                                  ///< key frames of b
+  std::size_t matched = 0;                                ///< of them with a verified match
+  std::size_t agreeing = 0;                               ///< of them for the best alignment
+  std::size_t rivalling = 0;                              ///< of them for the best other one
+  std::size_t places = 0;                                 ///< of b in which the agreeing stand
 
   /// Whether one alignment fits.
   explicit operator bool() const noexcept { return T_a_b.has_value(); }

@@ -24,7 +24,10 @@ struct PlaceOptions {
   std::size_t max_keyframes = 12;  ///< that are fused with the candidate: the nearest to the query
   /// m around the query's camera, where the world's poses are known.
   double radius = default_sensor.place_radius;
-  double turn_weight = 1.0;        ///< m that a turn of one rad counts for in "nearest"
+  double turn_weight = 1.0;  ///< m that a turn of one rad counts for in "nearest", and in
+  /// m between those of one session that are fused: nearer ones, as of every image, show the same,
+  /// errors and all, and say nothing of what is around.
+  double spacing = 0.1;
   std::size_t max_neighbors = 3;   ///< without poses: ids before and after the candidate's
   double max_contradiction = 4.0;  ///< decades by which a place may speak against its key frame:
                                    ///< one in a thousand is put together wrongly, or has changed

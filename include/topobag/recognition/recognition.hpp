@@ -30,6 +30,7 @@ struct CandidateReport {
   std::vector<RelativePose> other_poses;    ///< the other distinct ones, best first
   ClassCounts matched;                      ///< matched objects by class (the query's)
   std::optional<double> place_support;      ///< of the pose by all objects of the place around it
+  double place_share = 0.5;                 ///< what that counts for beside the graph's own support
   std::optional<RefinedPose> place_pose;    ///< over those, when no fewer agree, and no less
   std::optional<RivalPlace> rival;          ///< that keeps the pose from being believed
   std::size_t places = 0;                   ///< of the map that can hold what was matched
@@ -38,11 +39,12 @@ struct CandidateReport {
   bool complete = true;                     ///< false when the search ended with its budget
 
   /// What the objects say of the pose: by the candidate's graph alone, or, where the place around
-  /// it was asked as well, the mean of the two. Both are −log10 of the same odds, and err apart:
-  /// one camera overlooks, a place holds what was there at another time. 0 without a pose.
+  /// it was asked as well, their mean by `place_share`. Both are −log10 of the same odds, and err
+  /// apart: one camera overlooks, a place holds what was there at another time. 0 without a pose.
   double support() const noexcept {
     if (!pose) return 0.0;
-    return place_support ? 0.5 * (pose->support() + *place_support) : pose->support();
+    if (!place_support) return pose->support();
+    return (1.0 - place_share) * pose->support() + place_share * *place_support;
   }
 
   /// What the decision looks at: −log10 of the odds that chance made the match. 0 without a pose.

@@ -65,8 +65,7 @@ TEST_CASE("the lead asked for over a place believed by itself is so many deviati
     for (int i = 0; i < rounds; ++i) variance += std::pow(support() - support(), 2) / rounds;
     options.min_lead = 0.0;
     options.lead_deviations = 1.0;
-    CHECK(detail::lead_to_ask(objects, 5.0, options) ==
-          Approx(std::sqrt(variance)).epsilon(0.05));
+    CHECK(detail::lead_to_ask(objects, 5.0, options) == Approx(std::sqrt(variance)).epsilon(0.05));
   }
 }
 

@@ -92,6 +92,14 @@ std::optional<Eigen::Isometry3d> seen_from(const PlaceHypothesis& frame,
   return frame.info->T_world_camera->inverse() * *other.info->T_world_camera * T_other;
 }
 
+/// What a place counts for that speaks less for a pose than the best of `repeats` + 1 key frames
+/// which all see the same: of so many that err apart the best one is the luckiest, as much as
+/// the map is dense.
+inline double share_among_repeats(std::size_t repeats) noexcept {
+  const auto n = static_cast<double>(std::max<std::size_t>(repeats, 1));
+  return n / (n + 1.0);
+}
+
 /// Judges the best poses again by the places around them, and names the rivals among all. Writes
 /// into the reports whose own pose was judged.
 template <typename Bag, typename Reports>
@@ -110,9 +118,16 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
         judge_pose(place, query, hypothesis.pose->T_candidate_query, options.matching);
     const double least = hypothesis.support - options.place.max_contradiction;
     const double place_support = pose ? std::max(least, pose->support()) : least;
-    hypothesis.support = 0.5 * (hypothesis.support + place_support);
+    double share = report.place_share;
+    if (hypothesis.info && place_support < hypothesis.support) {
+      const std::size_t repeats =
+          repeated_views(bag, report.id, *hypothesis.info, query, options.retrieval, options.place);
+      share = share_among_repeats(std::min(repeats, options.place.max_keyframes));
+    }
+    hypothesis.support = (1.0 - share) * hypothesis.support + share * place_support;
     if (hypothesis.pose != &*report.pose) continue;
     report.place_support = place_support;
+    report.place_share = share;
     // The same pose, seen by more, or more exactly: not another one.
     if (pose && pose->inliers.size() >= report.pose->inliers.size() &&
         pose->rms <= report.pose->rms && within_uncertainty(*report.pose, *pose)) {

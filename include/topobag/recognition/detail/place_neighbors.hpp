@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <topobag/bag/query.hpp>
+#include <topobag/matching/match_graphs.hpp>
+#include <topobag/recognition/detail/stored_entry.hpp>
+#include <topobag/recognition/place_options.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+namespace detail {
+
+/// A key frame of the map beside the candidate, and where its camera stood.
+template <typename Bag>
+struct Neighbor {
+  decltype(stored_graph(std::declval<const Bag&>(), KeyframeId{}, 0)) graph;  ///< is there
+  Eigen::Isometry3d T_candidate_neighbor;
+};
+
+/// The key frames whose cameras stand in a region, by the bag's own word; of one that does not
+/// tell, those that answer a query of it, which are admitted already.
+template <typename Bag>
+auto keyframes_within(const Bag& bag, const typename Bag::Graph&, const QueryOptions&,
+                      const MapRegion& region, int) -> decltype(bag.within(region)) {
+  return bag.within(region);
+}
+template <typename Bag>
+std::vector<KeyframeId> keyframes_within(const Bag& bag, const typename Bag::Graph& query,
+                                         QueryOptions retrieval, const MapRegion& region, long) {
+  if (!retrieval.among.region) retrieval.among.region = region;
+  retrieval.max_results = std::numeric_limits<std::size_t>::max();
+  retrieval.min_similarity = 0.0;
+  std::vector<KeyframeId> ids;
+  for (const Candidate& candidate : bag.query(query, retrieval)) ids.push_back(candidate.id);
+  return ids;
+}
+
+/// How far apart two cameras stand and look, m.
+inline double camera_distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
+                              const PlaceOptions& options) {
+  const Eigen::Isometry3d between = a.inverse() * b;
+  return between.translation().norm() +
+         options.turn_weight * Eigen::AngleAxisd(between.linear()).angle();
+}
+
+/// Whether two key frames, both with poses, are images of one film that show the same.
+inline bool repeats(const EntryInfo& a, const EntryInfo& b, const PlaceOptions& options) {
+  return a.session == b.session &&
+         camera_distance(*a.T_world_camera, *b.T_world_camera, options) < options.spacing;
+}
+
+/// How many other key frames of the map show again what this one does.
+template <typename Bag>
+std::size_t repeated_views(const Bag& bag, KeyframeId id, const EntryInfo& info,
+                           const typename Bag::Graph& query, const QueryOptions& retrieval,
+                           const PlaceOptions& options) {
+  if (!info.T_world_camera) return 0;
+  const MapRegion region{info.T_world_camera->translation(), options.spacing};
+  std::size_t count = 0;
+  for (const KeyframeId near : keyframes_within(bag, query, retrieval, region, 0)) {
+    const auto there = bag.info(near);
+    if (near != id && retrieval.admits(near, *there) && repeats(info, *there, options)) ++count;
+  }
+  return count;
+}
+
+/// By the world's poses: those whose cameras stood and looked most nearly as the query's.
+/// @param candidate  with a pose
+template <typename Bag>
+std::vector<Neighbor<Bag>> neighbors_by_pose(const Bag& bag, KeyframeId id,
+                                             const EntryInfo& candidate,
+                                             const Eigen::Isometry3d& T_candidate_query,
+                                             const typename Bag::Graph& query,
+                                             const QueryOptions& retrieval,
+                                             const PlaceOptions& options) {
+  const Eigen::Isometry3d T_world_query = *candidate.T_world_camera * T_candidate_query;
+  const MapRegion region{T_world_query.translation(), options.radius};
+  std::vector<std::pair<double, KeyframeId>> nearest;
+  for (const KeyframeId near : keyframes_within(bag, query, retrieval, region, 0)) {
+    if (near == id) continue;
+    const auto info = bag.info(near);
+    if (!retrieval.admits(near, *info)) continue;
+    const Eigen::Isometry3d& T_world_near = *info->T_world_camera;
+    if (!region.contains(T_world_near.translation())) continue;
+    nearest.emplace_back(camera_distance(T_world_query, T_world_near, options), near);
+  }
+  std::sort(nearest.begin(), nearest.end());
+  std::vector<EntryInfo> fused{candidate};
+  std::vector<Neighbor<Bag>> neighbors;
+  for (const auto& [distance, near] : nearest) {
+    if (neighbors.size() == options.max_keyframes) break;
+    auto info = *bag.info(near);
+    const bool known = std::any_of(fused.begin(), fused.end(), [&](const EntryInfo& other) {
+      return repeats(other, info, options);
+    });
+    if (known) continue;
+    neighbors.push_back(
+        {stored_graph(bag, near, 0), candidate.T_world_camera->inverse() * *info.T_world_camera});
+    fused.push_back(std::move(info));
+  }
+  return neighbors;
+}
+
+/// Without poses: those whose ids are next to the candidate's in its session, where they match it.
+template <typename Bag>
+std::vector<Neighbor<Bag>> neighbors_by_id(const Bag& bag, KeyframeId id, const EntryInfo& info,
+                                           const typename Bag::Graph& candidate,
+                                           const QueryOptions& retrieval,
+                                           const MatchOptions& matching,
+                                           const PlaceOptions& options) {
+  std::vector<Neighbor<Bag>> neighbors;
+  for (std::size_t step = options.max_neighbors; step > 0; --step) {
+    for (const bool before : {true, false}) {
+      const KeyframeId near{before ? value(id) - step : value(id) + step};
+      const auto there = stored_info(bag, near, 0);
+      if (!there || there->session != info.session || !retrieval.admits(near, *there)) continue;
+      auto graph = stored_graph(bag, near, 0);
+      if (!graph) continue;
+      const GraphMatch match = match_graphs(candidate, *graph, matching);
+      const bool sure = !match.poses.empty() && !match.poses.front().degenerate &&
+                        match.poses.front().support() >= 3.0;  // odds of a thousand to one
+      if (sure) neighbors.push_back({std::move(graph), match.poses.front().T_candidate_query});
+    }
+  }
+  return neighbors;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace topobag
