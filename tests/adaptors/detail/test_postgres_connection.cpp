@@ -52,7 +52,8 @@ TEST_CASE("a role's password is libpq's matter, and no error tells it", "[postgr
 TEST_CASE("what a server refuses has a code, and leaves the connection open", "[postgres]") {
   if (!PostgresServer::is_installed()) return;
   PostgresConnection connection(shared_postgres().new_base(), patience);
-  connection.run_all("CREATE TABLE public.kept(number bigint); CREATE TABLE public.other(number bigint)");
+  connection.run_all(
+      "CREATE TABLE public.kept(number bigint); CREATE TABLE public.other(number bigint)");
   try {
     detail::PostgresTransaction transaction(connection);
     connection.run("INSERT INTO public.kept VALUES (1)");
