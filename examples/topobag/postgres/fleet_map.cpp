@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include <topobag/adaptors/fleet_bag.hpp>
@@ -126,7 +128,7 @@ void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& cata
                   const std::function<void(const std::string&)>& tell) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + time.value_or(std::chrono::seconds(0));
-  topobag::FleetBag fleet = bag_of(address, catalog);
+  std::unique_ptr<topobag::FleetBag> fleet;  // once its server has been asked
   std::string said;
   std::size_t refused = 0;
   const auto tell_if_new = [&](const std::string& text) {
@@ -134,15 +136,22 @@ void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& cata
   };
   do {
     try {
-      fleet.follow();
-      const auto view = fleet.view();
+      if (!fleet) fleet.reset(new topobag::FleetBag(bag_of(address, catalog)));
+      fleet->follow();
+      const auto view = fleet->view();
       tell_if_new(std::to_string(view->size()) + " key frames of " +
                   std::to_string(view->sessions().size()) + " sessions");
+    } catch (const InputError&) {
+      throw;
     } catch (const topobag::Error& error) {
       tell_if_new(error.what());
     }
-    for (; refused < fleet.refused().size(); ++refused) tell(fleet.refused()[refused]);
-    fleet.wait();
+    if (!fleet) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+      continue;
+    }
+    for (; refused < fleet->refused().size(); ++refused) tell(fleet->refused()[refused]);
+    fleet->wait();
   } while (!time || Clock::now() < end);
 }
 
