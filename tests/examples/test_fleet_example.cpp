@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "adaptors/postgres_server.hpp"
@@ -12,6 +13,7 @@ TEST_CASE("the fleet's example runs, and everybody knows at its end what it shou
           "[examples][fleet][long]") {
   if (!PostgresServer::is_installed()) return;
   const ScratchFolder folder;
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0711));  // the server's user
   const std::string said = folder.path("said");
   const std::string command = "TOPOBAG_PROGRAM='" TOPOBAG_PROGRAM "' PGPORT=" +
                               std::to_string(20000 + ::getpid() % 20000) +
