@@ -15,7 +15,6 @@
 #include <ctime>
 #include <fstream>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -23,12 +22,11 @@
 
 #include <unistd.h>
 
-#include <libpq-fe.h>
-
 #include <topobag/adaptors/fleet_bag.hpp>
 
 #include "adaptors/postgres_server.hpp"
 #include "bag/realistic_graphs.hpp"
+#include "postgres_copy.hpp"
 
 namespace {
 
@@ -81,33 +79,6 @@ double pushed(const std::string& conninfo, const Versions& versions, std::size_t
   return static_cast<double>(versions.size()) / seconds_since(start);
 }
 
-/// Rows a second of COPY of everything that has been pushed, in batches of one transaction each.
-double copied(const std::string& conninfo, const std::string& table, std::size_t batch) {
-  PGconn* connection = PQconnectdb(conninfo.c_str());
-  PQclear(PQexec(connection, "COPY (SELECT * FROM topobag.version) TO STDOUT (FORMAT text)"));
-  std::vector<std::string> lines;
-  char* line = nullptr;
-  for (int size = 0; (size = PQgetCopyData(connection, &line, 0)) > 0; PQfreemem(line)) {
-    lines.emplace_back(line, static_cast<std::size_t>(size));
-  }
-  PQclear(PQgetResult(connection));
-  const auto start = Clock::now();
-  for (std::size_t at = 0; at < lines.size(); at += batch) {
-    PQclear(PQexec(connection, ("COPY " + table + " FROM STDIN (FORMAT text)").c_str()));
-    for (std::size_t i = at; i < std::min(at + batch, lines.size()); ++i) {
-      PQputCopyData(connection, lines[i].data(), static_cast<int>(lines[i].size()));
-    }
-    PQputCopyEnd(connection, nullptr);
-    PGresult* result = PQgetResult(connection);
-    if (PQresultStatus(result) != PGRES_COMMAND_OK) throw std::runtime_error(PQerrorMessage(connection));
-    PQclear(result);
-    PQclear(PQgetResult(connection));
-  }
-  const double rate = static_cast<double>(lines.size()) / seconds_since(start);
-  PQfinish(connection);
-  return rate;
-}
-
 std::string fleet_base(PostgresServer& server) {
   const std::string conninfo = server.new_base();
   topobag::PostgresStore store(conninfo);
@@ -116,22 +87,36 @@ std::string fleet_base(PostgresServer& server) {
   return conninfo;
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// Push and COPY in turns, since the machine may have other work; medians over the turns.
 void measure_rates(PostgresServer& server, const Versions& versions, std::size_t batch) {
+  constexpr std::size_t turns = 5;
   for (const std::size_t robots : {std::size_t{1}, std::size_t{8}, std::size_t{32}}) {
-    const std::string conninfo = fleet_base(server);
-    server.sql("CREATE TABLE bare (LIKE topobag.version);"
-               "CREATE TABLE indexed (LIKE topobag.version INCLUDING INDEXES)", conninfo);
-    const double push = pushed(conninfo, versions, robots, batch);
-    const double bare = copied(conninfo, "bare", batch);
-    const double indexed = copied(conninfo, "indexed", batch);
-    const std::string bytes = server.sql(
-        "SELECT sum(pg_total_relation_size(relid)) / (SELECT count(*) FROM topobag.version)"
-        " FROM pg_partition_tree('topobag.version')", conninfo);
+    std::vector<double> push, bare, indexed, of_bare, of_indexed;
+    std::string bytes;
+    for (std::size_t turn = 0; turn < turns; ++turn) {
+      const std::string conninfo = fleet_base(server);
+      server.sql("CREATE TABLE bare (LIKE topobag.version);"
+                 "CREATE TABLE indexed (LIKE topobag.version INCLUDING INDEXES)", conninfo);
+      push.push_back(pushed(conninfo, versions, robots, batch));
+      bare.push_back(copied(conninfo, "bare", batch));
+      indexed.push_back(copied(conninfo, "indexed", batch));
+      of_bare.push_back(push.back() / bare.back());
+      of_indexed.push_back(push.back() / indexed.back());
+      bytes = server.sql(
+          "SELECT sum(pg_total_relation_size(relid)) / (SELECT count(*) FROM topobag.version)"
+          " FROM pg_partition_tree('topobag.version')", conninfo);
+    }
     std::printf("{\"bench\":\"fleet_push\",\"robots\":%zu,\"batch\":%zu,\"versions\":%zu,"
-                "\"push_per_s\":%.0f,\"copy_per_s\":%.0f,\"copy_indexed_per_s\":%.0f,"
-                "\"push_of_copy\":%.2f,\"push_of_copy_indexed\":%.2f,\"bytes_per_row\":%s}\n",
-                robots, batch, versions.size(), push, bare, indexed, push / bare, push / indexed,
-                bytes.substr(0, bytes.find('.')).c_str());
+                "\"turns\":%zu,\"push_per_s\":%.0f,\"copy_per_s\":%.0f,"
+                "\"copy_indexed_per_s\":%.0f,\"push_of_copy\":%.2f,"
+                "\"push_of_copy_indexed\":%.2f,\"bytes_per_row\":%s}\n",
+                robots, batch, versions.size(), turns, median(push), median(bare), median(indexed),
+                median(of_bare), median(of_indexed), bytes.substr(0, bytes.find('.')).c_str());
     std::fflush(stdout);
   }
 }
