@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Three robots in two sites share their places through a throw-away PostgreSQL, while this script kills
-# and restarts the server; ends with what each knows. Needs the topobag program and `postgresql`.
+# and restarts the server and a follower; ends with what each knows. Needs the topobag program and
+# `postgresql`.
 #   bash examples/fleet/run.sh [FOLDER]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -31,10 +32,20 @@ map robot1 fr1_xyz
 map robot2 fr1_rpy
 map robot3 fr1_xyz
 
-"$topobag" fleet follow "$base?site=hall&site=yard" --seconds 25 | sed 's/^/  follower: /' &
+follow() { # seconds
+  "$topobag" fleet follow "$base?site=hall&site=yard" --seconds "$1" > >(sed -u 's/^/  follower: /') &
+  follower=$!
+}
+follow 60
 echo "== two robots push"
 "$topobag" fleet push --map "$folder/robot1.db" "$base?site=hall"
 "$topobag" fleet push --map "$folder/robot2.db" "$base?site=hall"
+sleep 1
+echo "== the follower is killed; another one reads what it knew"
+kill -9 "$follower"
+wait "$follower" 2>/dev/null || true
+follow 20
+sleep 2
 echo "== the server is killed; the third robot can push nothing"
 server -m immediate stop
 "$topobag" fleet push --map "$folder/robot3.db" "$base?site=yard" || true
@@ -42,7 +53,13 @@ echo "== the server is back: everybody goes on where they were"
 start
 "$topobag" fleet push --map "$folder/robot3.db" "$base?site=yard"
 "$topobag" fleet push --map "$folder/robot1.db" "$base?site=hall"
+wait "$follower"
+sleep 1 # for its last words
+echo "== what each knows"
+for robot in robot1 robot2 robot3; do
+  echo "$robot: $("$topobag" info "$folder/$robot.db" | sed -n 's/^keyframes *//p') key frames of its own"
+done
+echo "the server:"
 "$topobag" fleet status "$base"
-"$topobag" info "$base?site=hall"
-"$topobag" localize --map "$base?site=hall" --query examples/data/fr1_rpy --camera "$camera"
-wait
+echo "== robot 2 was never in the yard; it finds its way there by what robot 3 saw"
+"$topobag" localize --map "$base?site=yard" --query examples/data/fr1_rpy --camera "$camera"

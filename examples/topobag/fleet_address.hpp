@@ -17,7 +17,8 @@ struct FleetAddress {
 /// Whether it is such an address, and no file's path.
 bool is_fleet_address(const std::string& text);
 
-/// Throws InputError for a password in it, which the process list and every report would show.
+/// Throws InputError for what is no such address, and for a password in it, which the process list
+/// and every report would show.
 FleetAddress parse_fleet_address(const std::string& text);
 
 }  // namespace program

@@ -9,6 +9,7 @@
 #include "fleet_map.hpp"
 #include "number_check.hpp"
 #include "object_classes.hpp"
+#include "saved_map.hpp"
 
 namespace program {
 namespace {
@@ -63,6 +64,7 @@ void add_fleet_command(CLI::App& app) {
   CLI::App& push = add_part(fleet, arguments, "push", "Sends what the server lacks of a map");
   push.add_option("--map", arguments->map, "SQLite map")->required();
   on_address(push, arguments, [](const FleetArguments& given, const FleetAddress& address) {
+    require_sqlite_map(given.map);
     std::cout << push_to_fleet(address, given.map) << " versions of " << given.map << " added\n";
   });
 

@@ -38,7 +38,7 @@ std::size_t push_to_fleet(const FleetAddress& address, const std::string& map);
 
 /// Follows the address' sites and tells how many key frames of how many sessions there are,
 /// whenever that changes, and why a server cannot be asked, until the time is up; without one, for
-/// ever.
+/// ever. Throws InputError for a site that the server does not have.
 void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& catalog,
                   std::optional<std::chrono::seconds> time,
                   const std::function<void(const std::string&)>& tell);

@@ -31,8 +31,12 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 
 /// The help that lists the options in question.
 std::string help_of(const CLI::App& app) {
-  const auto commands = app.get_subcommands();
-  return "topobag " + (commands.empty() ? "" : commands.front()->get_name() + ' ') + "--help";
+  std::string words = "topobag ";
+  for (auto commands = app.get_subcommands(); !commands.empty();
+       commands = commands.front()->get_subcommands()) {
+    words += commands.front()->get_name() + ' ';
+  }
+  return words + "--help";
 }
 
 /// Says what is wrong in one line on stderr.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "fleet_address.hpp"
 #include "keyframe_options.hpp"
 #include "output_files.hpp"
 #include "saved_map.hpp"
@@ -21,7 +22,7 @@ struct MapArguments {
 };
 
 void make_map(const MapArguments& arguments) {
-  require_folder("--out", arguments.out);
+  if (!is_fleet_address(arguments.out)) require_folder("--out", arguments.out);
   if (!arguments.session.empty()) require_session_name(arguments.out, arguments.session);
   KeyframeOptions options = arguments.keyframes;
   options.camera = with_size(options.camera, arguments.image_size);
@@ -47,7 +48,7 @@ void add_map_command(CLI::App& app) {
                   "fleet's, else a snapshot")
       ->required();
   command.add_option("--session", arguments->session,
-                     "Name of the run [that of the table]; for FILE.db");
+                     "Name of the run [that of the table]; not for a snapshot");
   command.add_flag("--append", arguments->append, "Go on mapping where there is a map");
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
   command.callback([arguments] { make_map(*arguments); });

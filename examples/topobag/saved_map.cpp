@@ -144,6 +144,12 @@ bool is_saved_map(const std::string& path) {
   return set_name(path) == path && fs::is_regular_file(path);
 }
 
+void require_sqlite_map(const std::string& path) {
+  if (kind_of(path) == MapKind::sqlite) return;
+  throw InputError(path, "it is a snapshot, which no robot goes on with; `topobag map --out FILE.db` "
+                         "makes an SQLite map");
+}
+
 SavedMap read_saved_map(const std::string& path, const topobag::ClassCatalog& catalog) {
   if (is_fleet_address(path)) return read_fleet_map(path, catalog);
   return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path, catalog)

@@ -27,6 +27,9 @@ topobag::BagOfTopologyGraphs<> new_entries(const topobag::BagOfTopologyGraphs<>&
 /// Whether a path names a saved map, not a table or one of a table's files.
 bool is_saved_map(const std::string& path);
 
+/// Throws InputError for a path where there is no SQLite map.
+void require_sqlite_map(const std::string& path);
+
 /// Throws InputError for a file that is neither kind of map; topobag::Error for one that is
 /// damaged, or was made with other classes than those of `catalog`.
 SavedMap read_saved_map(const std::string& path,

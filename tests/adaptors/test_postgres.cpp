@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <atomic>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <topobag/adaptors/postgres.hpp>
@@ -45,6 +47,7 @@ TEST_CASE("versions are read in the order of their transactions, page by page", 
   REQUIRE(store.sites().size() == 1);
   CHECK(store.sites().front().versions == 10);
   CHECK(store.sites().front().robots == 1);
+  CHECK(store.site_names() == std::vector<std::string>{"hall"});
 }
 
 TEST_CASE("a batch that contradicts the server adds nothing", "[postgres]") {
@@ -63,4 +66,31 @@ TEST_CASE("a batch that contradicts the server adds nothing", "[postgres]") {
   CHECK_THROWS_AS(store.append({version(1), version(2)}), InvalidId);
   CHECK(store.last_seq("hall", Uuid{1}, {Uuid{2}}) == 1);
   CHECK(store.append({version(2)}) == 1);
+}
+
+TEST_CASE("a data base that many prepare at once is prepared once, a partition for each site",
+          "[postgres]") {
+  if (!PostgresServer::is_installed()) return;
+  const std::string conninfo = shared_postgres().new_base();
+  std::vector<std::thread> owners;
+  std::atomic<int> prepared{0};
+  for (int i = 0; i < 4; ++i) {
+    owners.emplace_back([&] {
+      PostgresStore(conninfo).prepare();
+      ++prepared;
+    });
+  }
+  for (std::thread& owner : owners) owner.join();
+  CHECK(prepared == 4);
+  const auto number = [&](const std::string& sql) {
+    return std::stoi(shared_postgres().sql(sql, conninfo));
+  };
+  CHECK(number("SELECT schema_version FROM topobag.meta") == postgres_schema_version);
+  PostgresStore store(conninfo);
+  for (const char* site : {"hall", "yard", "attic"}) store.add_site(site, 0);
+  CHECK_THROWS_AS(store.add_site("hall", 0), Error);
+  CHECK_THROWS_AS(store.add_site("", 0), Error);
+  CHECK(store.site_names() == std::vector<std::string>{"attic", "hall", "yard"});
+  CHECK(number("SELECT count(*) FROM pg_inherits WHERE inhparent = 'topobag.version'::regclass") ==
+        3);
 }

@@ -200,10 +200,10 @@ TEST_CASE("a link that is cut, silent or lies changes nothing and doubles nothin
   std::size_t failures = 0;
   for (const auto fault : {PostgresProxy::Fault::cut, PostgresProxy::Fault::garbage,
                            PostgresProxy::Fault::silence}) {
-    const int rounds = fault == PostgresProxy::Fault::silence ? 3 : 12;
-    for (int round = 0; round < rounds; ++round) {
+    const bool silent = fault == PostgresProxy::Fault::silence;  // which takes its time
+    for (int round = 0; round < (silent ? 2 : 9); ++round) {
       robot.add(random, random_graph(random, 6));
-      proxy.set(fault, random() % 3000);
+      proxy.set(fault, silent ? 100 + 1400U * static_cast<unsigned>(round) : random() % 3000);
       PostgresStore store(through, silence);
       const auto attempt = [&](const auto& call) {
         try {
@@ -222,7 +222,9 @@ TEST_CASE("a link that is cut, silent or lies changes nothing and doubles nothin
   PostgresStore store(through);
   push(robot.outbox(), store);
   CHECK(rows_in(conninfo) == std::to_string(robot.map().bag().size()));
-  for (int i = 0; i < 2; ++i) error_text([&] { fleet.follow(); });
+  const auto follow = [&] { return error_text([&] { fleet.follow(); }); };
+  for (int i = 0; i < 20 && follow() != "nothing was thrown"; ++i) {  // the machine may be slow
+  }
   FleetUnion all;
   robot.tell(all);
   require_union(*fleet.view(), all, {random_graph(random, 6)});

@@ -3,10 +3,9 @@
 #include <utility>
 
 #include <topobag/graph/topology_graph.hpp>
-
 #include <topobag/sensing/color_descriptor.hpp>
-#include "fields.hpp"
 
+#include "fields.hpp"
 #include "node_array.hpp"
 #include "rooms.hpp"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fleet_map.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include <topobag/adaptors/fleet_bag.hpp>
@@ -14,24 +17,34 @@
 namespace program {
 namespace {
 
-/// The sites of the address, or all that may be read.
-std::vector<std::string> sites_of(const FleetAddress& address) {
-  if (!address.sites.empty()) return address.sites;
-  std::vector<std::string> sites;
-  for (const SiteFigures& site : fleet_status(address)) sites.push_back(site.name);
-  return sites;
+/// The sites of the address, or all that may be read. Throws InputError where there are none.
+std::vector<std::string> sites_of(const FleetAddress& address, topobag::PostgresStore& store) {
+  const std::vector<std::string> known = store.site_names();
+  if (known.empty()) {
+    throw InputError(
+        "the server has no site that this role may read: its owner makes one with `topobag fleet "
+        "init`, and lets roles read it with `topobag fleet admit`");
+  }
+  for (const std::string& site : address.sites) {
+    if (std::find(known.begin(), known.end(), site) != known.end()) continue;
+    throw InputError("the server has no site '" + site +
+                     "' that this role may read; `topobag fleet status` names those that it has");
+  }
+  return address.sites.empty() ? known : address.sites;
 }
 
 topobag::FleetBag bag_of(const FleetAddress& address, const topobag::ClassCatalog& catalog) {
   topobag::FleetOptions options;
   options.catalog = topobag::fingerprint(catalog);
-  return topobag::FleetBag({{address.conninfo, sites_of(address)}}, options);
+  topobag::PostgresStore store(address.conninfo);
+  return topobag::FleetBag({{address.conninfo, sites_of(address, store)}}, options);
 }
 
-const std::string& only_site(const FleetAddress& address) {
-  if (address.sites.size() == 1) return address.sites.front();
+/// The site that a robot maps. Throws InputError unless the server has it.
+std::string only_site(const FleetAddress& address, topobag::PostgresStore& store) {
+  if (address.sites.size() == 1) return sites_of(address, store).front();
   throw InputError("the address names " + std::to_string(address.sites.size()) +
-                   " sites; a robot maps one: add ?site=NAME");
+                   " sites; a robot maps one: give one site=NAME");
 }
 
 std::optional<topobag::Uuid> robot_of(const FleetAddress& address) {
@@ -71,40 +84,42 @@ void extend_fleet_map(const std::string& text, const std::string& session,
                       const topobag::BagOfTopologyGraphs<>& entries,
                       const topobag::ClassCatalog& catalog) {
   const FleetAddress address = parse_fleet_address(text);
+  topobag::PostgresStore store(address.conninfo);
+  const std::string site = only_site(address, store);
   const topobag::Uuid robot = robot_of(address).value_or(topobag::random_uuid());
   const topobag::Uuid run = topobag::random_uuid();
   std::vector<topobag::FleetVersion> versions;
   entries.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info, const auto& graph) {
     topobag::FleetVersion version =
-        topobag::version_of({only_site(address), robot, run, id}, info, graph);
+        topobag::version_of({site, robot, run, id}, info, graph);
     version.seq = static_cast<std::int64_t>(versions.size()) + 1;
     version.run = session;
     version.catalog = topobag::fingerprint(catalog);
     versions.push_back(std::move(version));
   });
-  topobag::PostgresStore(address.conninfo).append(versions);
+  store.append(versions);
 }
 
 void prepare_fleet(const FleetAddress& address, const topobag::ClassCatalog& catalog) {
   topobag::PostgresStore store(address.conninfo);
   store.prepare();
-  std::set<std::string> known;
-  for (const topobag::FleetSite& site : store.sites()) known.insert(site.name);
+  const std::vector<std::string> names = store.site_names();
+  std::set<std::string> known(names.begin(), names.end());
   for (const std::string& site : address.sites) {
-    if (known.count(site) == 0) store.add_site(site, topobag::fingerprint(catalog));
+    if (known.insert(site).second) store.add_site(site, topobag::fingerprint(catalog));
   }
 }
 
 void admit_to_fleet(const FleetAddress& address, const std::string& role) {
+  if (address.sites.empty()) throw InputError("the address names no site; give site=NAME");
+  const auto robot = robot_of(address);
   topobag::PostgresStore store(address.conninfo);
-  for (const std::string& site : address.sites) {
-    store.admit(role, site, robot_of(address));
-  }
+  for (const std::string& site : sites_of(address, store)) store.admit(role, site, robot);
 }
 
 std::size_t push_to_fleet(const FleetAddress& address, const std::string& map) {
-  topobag::enlist(map, only_site(address), robot_of(address));
   topobag::PostgresStore store(address.conninfo);
+  topobag::enlist(map, only_site(address, store), robot_of(address));
   return topobag::push(topobag::FleetOutbox(map), store);
 }
 
@@ -113,7 +128,7 @@ void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& cata
                   const std::function<void(const std::string&)>& tell) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + time.value_or(std::chrono::seconds(0));
-  topobag::FleetBag fleet = bag_of(address, catalog);
+  std::unique_ptr<topobag::FleetBag> fleet;  // once its server has been asked
   std::string said;
   std::size_t refused = 0;
   const auto tell_if_new = [&](const std::string& text) {
@@ -121,15 +136,22 @@ void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& cata
   };
   do {
     try {
-      fleet.follow();
-      const auto view = fleet.view();
+      if (!fleet) fleet.reset(new topobag::FleetBag(bag_of(address, catalog)));
+      fleet->follow();
+      const auto view = fleet->view();
       tell_if_new(std::to_string(view->size()) + " key frames of " +
                   std::to_string(view->sessions().size()) + " sessions");
+    } catch (const InputError&) {
+      throw;
     } catch (const topobag::Error& error) {
       tell_if_new(error.what());
     }
-    for (; refused < fleet.refused().size(); ++refused) tell(fleet.refused()[refused]);
-    fleet.wait();
+    if (!fleet) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+      continue;
+    }
+    for (; refused < fleet->refused().size(); ++refused) tell(fleet->refused()[refused]);
+    fleet->wait();
   } while (!time || Clock::now() < end);
 }
 

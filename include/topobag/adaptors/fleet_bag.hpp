@@ -153,9 +153,10 @@ class FleetBag {
 
   std::size_t follow_site(PostgresStore& store, const std::string& site, FleetCursor& cursor) {
     std::size_t taken = 0;
-    for (;;) {
+    // Pages grow: the server sorts a transaction anew for each, and a replica's first copy is one.
+    for (std::size_t page_size = 5000;; page_size = std::min<std::size_t>(2 * page_size, 40000)) {
       FleetCursor next = cursor;
-      const std::vector<ReadVersion> page = store.read(site, next);
+      const std::vector<ReadVersion> page = store.read(site, next, page_size);
       note_sessions(page);
       for (const ReadVersion& read : page) taken += std::size_t{take(read)};
       cursor = next;  // acknowledged: all of the page is in

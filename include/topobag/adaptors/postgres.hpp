@@ -67,7 +67,15 @@ class PostgresStore {
     }
   }
 
-  /// The sites that may be read, by name. O(versions).
+  /// The sites that may be read. O(sites).
+  std::vector<std::string> site_names() {
+    const auto rows = connection().run("SELECT site FROM topobag.site ORDER BY site");
+    std::vector<std::string> names;
+    for (int row = 0; row < rows.rows(); ++row) names.push_back(rows.text(row, 0));
+    return names;
+  }
+
+  /// The sites that may be read, by name, and what is there. O(versions).
   std::vector<FleetSite> sites() {
     const auto rows = connection().run(
         "SELECT s.site, s.catalog, count(v), count(DISTINCT v.robot) FROM topobag.site AS s"

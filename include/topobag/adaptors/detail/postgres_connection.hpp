@@ -103,10 +103,15 @@ class PostgresConnection {
 
   /// What libpq says, in one line.
   std::string said() const { return in_one_line(PQerrorMessage(get())); }
-  static std::string in_one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    text.erase(text.find_last_not_of(' ') + 1);
-    return text;
+  static std::string in_one_line(const std::string& text) {
+    std::string line;
+    for (const char letter : text) {
+      const bool blank = letter == '\n' || letter == '\t' || letter == ' ';
+      if (!blank) line += letter;
+      if (blank && !line.empty() && line.back() != ' ') line += ' ';
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
   }
 
   [[noreturn]] void lose(const std::string& why) {
