@@ -83,8 +83,7 @@ class OrbSlamDatabase {
     guarded_([&] { return bag_.refresh(), true; });
   }
 
-  /// As `KeyFrameBag::refresh_changed`: cheap enough for every key frame, and needs no word of the
-  /// host's. Not with the host's lock of its map held.
+  /// As `KeyFrameBag::refresh_changed`: cheap enough for every key frame. Likewise.
   std::size_t refresh_changed() {
     return guarded_([&] { return bag_.refresh_changed(); });
   }
@@ -128,7 +127,7 @@ class OrbSlamDatabase {
   void clear() { bag_.clear(); }
 
   /// ORB-SLAM3's.
-  void clearMap(Map* map) {
+  void clearMap(const Map* map) {
     static_assert(has_maps_v<KeyFrame>, "topobag: clearMap needs a KeyFrame with GetMap().");
     bag_.erase_map(map);
   }

@@ -31,7 +31,7 @@ template <typename Map, typename = void>
 struct has_pose_mutex : std::false_type {};
 template <typename Map>
 struct has_pose_mutex<
-    Map, std::void_t<decltype(host_map_traits<Map>::pose_mutex(std::declval<Map&>()).lock())>>
+    Map, std::void_t<decltype(host_map_traits<Map>::pose_mutex(std::declval<Map&>()).try_lock())>>
     : std::true_type {};
 
 }  // namespace detail
@@ -64,21 +64,24 @@ const void* map_of(KeyFrame& key_frame) {
 namespace detail {
 
 /// Calls `read` while the host does not move the key frames of this one's map: under the map's own
-/// mutex where the host's type has one, else under `of_the_host`, when there is that.
+/// mutex where the host's type has one, else under `of_the_host`, when there is that. False, at
+/// once, while somebody else holds it.
 template <typename KeyFrame, typename Read>
-void with_poses_held(KeyFrame& key_frame, std::mutex* of_the_host, Read read) {
+bool try_with_poses_held(KeyFrame& key_frame, std::mutex* of_the_host, Read read) {
+  const auto under = [&read](auto& mutex) {
+    const std::unique_lock<std::remove_reference_t<decltype(mutex)>> held(mutex, std::try_to_lock);
+    if (held.owns_lock()) read();
+    return held.owns_lock();
+  };
   if constexpr (has_maps_v<KeyFrame>) {
     using Map = host_map_t<KeyFrame>;
     if constexpr (has_pose_mutex<Map>::value) {
-      auto& mutex = host_map_traits<Map>::pose_mutex(*host_traits<KeyFrame>::map(key_frame));
-      const std::lock_guard<std::remove_reference_t<decltype(mutex)>> held(mutex);
-      read();
-      return;
+      return under(host_map_traits<Map>::pose_mutex(*host_traits<KeyFrame>::map(key_frame)));
     }
   }
-  std::unique_lock<std::mutex> held;
-  if (of_the_host != nullptr) held = std::unique_lock<std::mutex>(*of_the_host);
+  if (of_the_host != nullptr) return under(*of_the_host);
   read();
+  return true;
 }
 
 }  // namespace detail

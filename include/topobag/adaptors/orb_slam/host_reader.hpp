@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -79,19 +82,34 @@ class HostReader {
     return ids;
   }
 
-  /// The graph of a sighted key frame, registered or not, from those of its map. Reads the poses
-  /// and the gravity of now under the host's lock of its map; ours is not held afterwards. Throws
-  /// as `read_window` and `fuse_sightings`.
-  FusedGraph fuse(std::uint64_t id, Pointer key_frame, Lock& lock) {
-    const auto members = known_.window_of(id, std::move(key_frame), fusing_.window);
+  /// The graph of a sighted key frame, registered or not, from those of its map; nothing when it is
+  /// erased or the epoch ends meanwhile. Reads the poses and the gravity of now under the host's
+  /// lock of its map; ours is not held afterwards. Nothing is pinned while that lock is waited for:
+  /// the host may erase key frames with it held. Throws as `read_window` and `fuse_sightings`.
+  std::optional<FusedGraph> fuse(std::uint64_t id, Pointer key_frame, Lock& lock) {
+    const std::uint64_t epoch = known_.epoch();
+    const bool registered = known_.key_frame(id) == key_frame;
     std::vector<PosedSighting> posed;
     FusedWindow window;
-    {
-      const KeyFramePins::Scope pinned(pins_, lock);
-      detail::with_poses_held(*members.back().key_frame, pose_mutex_,
-                              [&] { read_window(members, gravity_of_, posed, window); });
+    while (true) {
+      const bool is_gone = registered && known_.key_frame(id) != key_frame;
+      const auto members = known_.window_of(id, key_frame, fusing_.window);
+      if (known_.epoch() != epoch || is_gone || members.empty()) {
+        lock.unlock();
+        return std::nullopt;
+      }
+      {
+        const KeyFramePins::Scope pinned(pins_, lock);
+        if (detail::try_with_poses_held(*key_frame, pose_mutex_, [&] {
+              read_window(members, gravity_of_, posed, window);
+            })) {
+          break;
+        }
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+      lock.lock();
     }
-    return {fuse_sightings(posed, fusing_), std::move(window)};
+    return FusedGraph{fuse_sightings(posed, fusing_), std::move(window)};
   }
 
   /// The key frame's graph was made from this.

@@ -28,11 +28,11 @@ inline namespace v0 {
 /// Any function may be called from any thread. The one lock is a leaf: nothing of the host is
 /// called with it held. `erase` and `clear` wait for whoever reads a key frame at that time, so
 /// that the host may delete it afterwards; they must not be called with a lock of the host held
-/// that its key frames' functions or its word on gravity take, nor with the one below.
+/// that its key frames' functions or its word on gravity take.
 ///
 /// A graph is fused under the host's own lock of its map (`host_map_traits::pose_mutex`, or
 /// `hold_poses_with`): `observe`, `add`, `graph_of`, `refresh` and `refresh_changed` must not be
-/// called with that lock held. `places` may be: ORB-SLAM looks a lost frame up under it.
+/// called with it held. All else may: ORB-SLAM looks lost frames up under it, and erases some.
 template <typename KeyFrame>
 class KeyFrameBag {
  public:
@@ -172,7 +172,9 @@ class KeyFrameBag {
     const auto& known = host_.known();
     sighted_.wait_for(lock, wait, [&] { return known.epoch() != epoch || known.is_settled(id); });
     if (known.epoch() != epoch || !known.is_sighted(id)) return std::nullopt;
-    return host_.fuse(id, std::move(key_frame), lock).graph;
+    std::optional<FusedGraph> fused = host_.fuse(id, std::move(key_frame), lock);
+    if (!fused) return std::nullopt;
+    return std::move(fused->graph);
   }
 
   /// Every pose that a candidate offers: verified ones first, then by falling score, ties by id.
@@ -225,16 +227,17 @@ class KeyFrameBag {
     EntryInfo info;
     info.stamp = host_.known().stamp_of(id);
     info.session = host_.known().session_of(id);
-    FusedGraph fused = host_.fuse(id, key_frame, lock);
+    std::optional<FusedGraph> fused = host_.fuse(id, key_frame, lock);
+    if (!fused) return;
     lock.lock();
     if (host_.known().epoch() != epoch || host_.known().key_frame(id) == nullptr) return;
     auto& bag = relocalizer_.map();
     if (bag.contains(KeyframeId{id})) {
-      bag.update(KeyframeId{id}, std::move(fused.graph), info);
-    } else if (fused.graph.is_matchable()) {
-      bag.add(KeyframeId{id}, std::move(fused.graph), info);
+      bag.update(KeyframeId{id}, std::move(fused->graph), info);
+    } else if (fused->graph.is_matchable()) {
+      bag.add(KeyframeId{id}, std::move(fused->graph), info);
     }
-    host_.keep(id, std::move(fused.window));
+    host_.keep(id, std::move(fused->window));
   }
 
   mutable std::mutex mutex_;
