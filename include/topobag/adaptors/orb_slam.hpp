@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <topobag/adaptors/orb_slam/call_guard.hpp>
+#include <topobag/adaptors/orb_slam/drop_features.hpp>
 #include <topobag/adaptors/orb_slam/host_key_frame.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_bag.hpp>
 #include <topobag/adaptors/orb_slam/orb_slam_options.hpp>
@@ -196,7 +197,6 @@ class OrbSlamDatabase {
 
   /// Key frames that can be found.
   std::size_t size() const { return bag_.size(); }
-
   /// Calls that ended in an exception, and what the last one said.
   std::pair<std::size_t, std::string> failures() const { return guarded_.failures(); }
 

@@ -21,8 +21,8 @@ inline namespace v0 {
 
 /// A graph, and what it was fused from.
 struct FusedGraph {
-  TopologyGraph<> graph;
-  FusedWindow window;
+  TopologyGraph<> graph;  ///< of its last key frame
+  FusedWindow window;     ///< the key frames, where they stood
 };
 
 /// The key frames a host has, and the graphs that are fused from what it says of them.
@@ -35,6 +35,7 @@ class HostReader {
   using Lock = KeyFramePins::Lock;
   using Pointer = host_pointer_t<KeyFrame>;
 
+  /// Of no key frames. Without `gravity_of` a sighting's own gravity is all that is known.
   HostReader(const LocalGraphOptions& fusing, GravityOfHost<KeyFrame> gravity_of,
              const StaleTolerance& stale)
       : fusing_(fusing), gravity_of_(std::move(gravity_of)), stale_(stale) {}
@@ -42,8 +43,11 @@ class HostReader {
   /// The host's lock of its one map. Before anything else is called, without the lock.
   void hold_poses_with(std::mutex& mutex) { pose_mutex_ = &mutex; }
 
+  /// The key frames and what was seen in them.
   KeyFrameRegister<KeyFrame>& known() { return known_; }
+  /// The same, to be read.
   const KeyFrameRegister<KeyFrame>& known() const { return known_; }
+  /// Who reads them.
   KeyFramePins& pins() { return pins_; }
 
   /// The ids, rising, of the key frames for which `holds` is true, which may call the host.

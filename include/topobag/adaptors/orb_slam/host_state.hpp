@@ -27,9 +27,9 @@ using GravityOfHost = std::function<std::optional<Gravity<>>(KeyFrame&)>;
 struct HostKeyFrameState {
   bool is_readable = false;  ///< its pose is a rigid motion, and asking threw nothing
   bool is_bad = false;       ///< culled
-  const void* map = nullptr;
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  std::optional<Gravity<>> gravity;
+  const void* map = nullptr;  ///< of several; null for hosts with one alone
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< its pose
+  std::optional<Gravity<>> gravity;  ///< nothing: the host does not know
 
   /// Whether it may be fused into a graph of `own`.
   bool joins(const HostKeyFrameState& own) const { return !is_bad && map == own.map; }

@@ -24,7 +24,7 @@ inline namespace v0 {
 struct SavedSighting {
   std::uint64_t id = 0;       ///< the host's, in the map that it belongs to
   std::uint32_t session = 0;  ///< which run saw it: stamps are compared within one alone
-  KeyframeSighting sighting;
+  KeyframeSighting sighting;  ///< what was seen
 };
 
 namespace detail {
