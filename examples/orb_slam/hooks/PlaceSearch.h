@@ -56,8 +56,8 @@ class PlaceSearch {
 
  private:
   /// Matches the frame, at its present pose, with the map points of the key frames.
-  static int MatchByProjection(Frame& frame, const std::vector<KeyFrame*>& key_frames,
-                               float window, int distance) {
+  static int MatchByProjection(Frame& frame, const std::vector<KeyFrame*>& key_frames, float window,
+                               int distance) {
     typename Host::ORBmatcher matcher(0.9f, true);
     std::set<MapPoint*> found;
     for (KeyFrame* key_frame : key_frames) {

@@ -53,8 +53,8 @@ struct MergeState {
   int& coincidences;
 };
 
-/// Where the host has no merge under way: tries the object poses of the key frame in other maps. One
-/// that stands the host's `detect` (its refinement from a known pose) counts as its first
+/// Where the host has no merge under way: tries the object poses of the key frame in other maps.
+/// One that stands the host's `detect` (its refinement from a known pose) counts as its first
 /// coincidence; the next key frames decide, by the host's own rules.
 /// @param detect  bool(KeyFrame* matched, g2o::Sim3& Scw)
 template <typename Hooks, typename Detect>
