@@ -188,7 +188,7 @@ class Run {
     slam_.Shutdown();
   }
 
-  auto track_frame(const Images& images) {
+  host::Pose track_frame(const Images& images) {
     return slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
   }
 

@@ -15,6 +15,7 @@ using KeyFrame = ORB_SLAM2::KeyFrame;
 using Frame = ORB_SLAM2::Frame;
 using Map = ORB_SLAM2::Map;
 using System = ORB_SLAM2::System;
+using Pose = cv::Mat;  ///< world to camera
 
 inline constexpr const char* name = "ORB-SLAM2";
 

@@ -15,6 +15,7 @@ using KeyFrame = ORB_SLAM3::KeyFrame;
 using Frame = ORB_SLAM3::Frame;
 using Map = ORB_SLAM3::Map;
 using System = ORB_SLAM3::System;
+using Pose = Sophus::SE3f;  ///< world to camera
 
 inline constexpr const char* name = "ORB-SLAM3";
 
