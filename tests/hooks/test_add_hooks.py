@@ -11,7 +11,6 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "examples", "orb_slam"))
 import add_hooks  # noqa: E402
-import cpp_tokens  # noqa: E402
 
 HEADER = """\
 #ifndef SHELF_H
@@ -240,19 +239,6 @@ class AddHooks(unittest.TestCase):
         self.assertEqual(self.run_it()[0], 0)
         with open(self.path("Shelf.cc"), "rb") as file:
             self.assertIn(b"\xe9\xff();", file.read())
-
-
-class Tokens(unittest.TestCase):
-    def test_comments_strings_and_directives_hide_what_is_in_them(self):
-        source = '#define A ; \\\n  B\na = "x;\\"y"; // c;\n/* d; */ b = \';\'; e = R"z(f;)")z"; g = 1\'000.5e-3;'
-        self.assertEqual(
-            cpp_tokens.texts(source),
-            ["a", "=", '"x;\\"y"', ";", "b", "=", "';'", ";", "e", "=", 'R"z(f;)")z"', ";", "g", "=", "1'000.5e-3", ";"],
-        )
-
-    def test_brackets_that_do_not_match_close_nothing(self):
-        tokens, _ = cpp_tokens.tokens_of("{ ( } )")
-        self.assertIsNone(cpp_tokens.closing(tokens, 0))
 
 
 if __name__ == "__main__":
