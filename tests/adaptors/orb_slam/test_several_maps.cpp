@@ -19,13 +19,12 @@ TEST_CASE("a lost camera is found in its map, whatever another one holds", "[ada
     atlas_host::Session lost_in(seed);
     atlas_host::KeyFrame& here = lost_in.mapped(0.0, lost_in.first);
     atlas_host::Frame frame{random_camera(lost_in.random)};
-    using Pointers = atlas_host::Pointers;
     const auto candidates = [&] {
       return lost_in.database.DetectRelocalizationCandidates(&frame, &lost_in.first);
     };
-    if (candidates() == Pointers{&here}) ++found_alone;
+    if (candidates() == atlas_host::Pointers{&here}) ++found_alone;
     for (int i = 0; i < 8; ++i) lost_in.mapped(100.0 + 10.0 * i, lost_in.second);
-    if (candidates() == Pointers{&here}) ++found;
+    if (candidates() == atlas_host::Pointers{&here}) ++found;
   }
   CHECK(found_alone == 50);
   CHECK(found == 50);
