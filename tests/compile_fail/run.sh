@@ -52,4 +52,16 @@ for silence in -DTOPOBAG_ALLOW_FAST_MATH -fno-finite-math-only; do
   compile -Werror "$silence" "$file" || fail "$silence does not silence the warning of -ffast-math"
 done
 
+# Under an earlier standard one sentence is said, not hundreds.
+for header in adaptors/orb_slam adaptors/topology_thread core; do
+  if "$compiler" -std=c++14 -Iinclude "${eigen[@]}" -fsyntax-only -x c++ - 2>"$build/log.txt" \
+    <<<"#include <topobag/$header.hpp>"; then
+    fail "$header.hpp compiles in C++14"
+  elif ! grep -m 1 'error:' "$build/log.txt" | grep -qF 'topobag needs C++17: compile with -std=c++17'; then
+    fail "$header.hpp in C++14: the first error is not that topobag needs C++17"
+  elif [ "$(grep -c 'error:' "$build/log.txt")" -gt 2 ]; then
+    fail "$header.hpp in C++14: more is said than that topobag needs C++17"
+  fi
+done
+
 [ "$failed" -eq 0 ]

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -13,33 +11,16 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/adaptors/orb_slam/call_guard.hpp>
 #include <topobag/adaptors/orb_slam/drop_features.hpp>
 #include <topobag/adaptors/orb_slam/host_key_frame.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_bag.hpp>
+#include <topobag/adaptors/orb_slam/orb_slam_options.hpp>
+#include <topobag/adaptors/orb_slam/sightings_file.hpp>
 #include <topobag/graph/sight_keyframe.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// What the adaptor takes of the library, and how much it offers the host.
-struct OrbSlamOptions {
-  LocalGraphOptions fusing{};  ///< key frames of `window` s make one graph; 0 = single ones
-  /// Retrieval, matching and decision. A filter of the retrieval must not call the data base.
-  RecognitionOptions recognition = few_candidates(3);
-  std::size_t max_loops = 5;            ///< verified places offered for a loop
-  std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
-  double min_loop_gap = 0.0;  ///< s between the key frames of a loop; beside the host's rule that
-                              ///< covisible ones make none
-  std::chrono::milliseconds loop_wait{200};  ///< a loop query waits this long for a sighting
-                                             ///< that was not given up
-
-  /// The defaults, but fewer key frames are matched: tracking waits for the answer.
-  static RecognitionOptions few_candidates(std::size_t count) {
-    RecognitionOptions options;
-    options.retrieval.max_results = count;
-    return options;
-  }
-};
 
 /// The bag of topology graphs beside ORB-SLAM's `KeyFrameDatabase`: under the host's names and
 /// signatures, for the host's threads.
@@ -51,14 +32,17 @@ struct OrbSlamOptions {
 ///
 /// Nothing is thrown at the host: what goes wrong is counted, and ours adds no candidates.
 ///
-/// @tparam KeyFrame  with mnId, mTimeStamp, isBad(), GetPoseInverse() (camera to world),
-///                   GetConnectedKeyFrames(); for hosts with several maps GetMap()
+/// @tparam KeyFrame  read by `host_traits`: as it stands with mnId, mTimeStamp, isBad(),
+///                   GetPoseInverse() (camera to world), GetConnectedKeyFrames(); for hosts with
+///                   several maps GetMap()
 /// @tparam Frame     handed to `graph_of_frame` alone
 /// @tparam Map       the host's map
 template <typename KeyFrame, typename Frame, typename Map>
 class OrbSlamDatabase {
  public:
   using Graph = TopologyGraph<>;
+  using Pointer = host_pointer_t<KeyFrame>;  ///< `KeyFrame*`, unless the traits say otherwise
+  using Pointers = std::vector<Pointer>;
   using Place = OrbSlamPlace<KeyFrame>;
   using Places = std::vector<Place>;
 
@@ -67,9 +51,9 @@ class OrbSlamDatabase {
   using GraphOfFrame = std::function<std::optional<Graph>(const Frame&)>;
 
   /// Which way is down in a key frame's camera frame, by what the host knows when the key frame's
-  /// graph is made; nothing where it does not know. Called on whichever thread makes the graph,
-  /// with no lock of ours held. (A lost frame's gravity is a part of its graph.)
-  using GravityOfKeyFrame = std::function<std::optional<Gravity<>>(KeyFrame&)>;
+  /// graph is made. Called on whichever thread makes the graph, with no lock of ours held. (A lost
+  /// frame's gravity is a part of its graph.)
+  using GravityOfKeyFrame = GravityOfHost<KeyFrame>;
 
   /// Without `graph_of_frame` lost frames find nothing. Without `gravity_of`, or where it says
   /// nothing, a sighting's own gravity is taken.
@@ -77,7 +61,10 @@ class OrbSlamDatabase {
                            GravityOfKeyFrame gravity_of = {})
       : options_(options),
         graph_of_frame_(std::move(graph_of_frame)),
-        bag_(options.fusing, options.recognition, std::move(gravity_of)) {}
+        bag_(options.fusing, options.recognition, std::move(gravity_of), options.stale) {}
+
+  /// As `KeyFrameBag::hold_poses_with`: graphs are then fused while the host moves nothing.
+  void hold_poses_with(std::mutex& mutex) { bag_.hold_poses_with(mutex); }
 
   /// To be read where a key frame is made, and given to `observe`.
   std::uint64_t epoch() const { return bag_.epoch(); }
@@ -85,102 +72,123 @@ class OrbSlamDatabase {
   /// What was seen in key frame `id` of that epoch. False when it comes to nothing: the key frame
   /// was culled or the map reset meanwhile.
   bool observe(std::uint64_t epoch, std::uint64_t id, KeyframeSighting sighting) {
-    return guarded([&] { return bag_.observe(epoch, id, std::move(sighting)); });
+    return guarded_([&] { return bag_.observe(epoch, id, std::move(sighting)); });
   }
 
   /// Nothing will be seen in key frame `id` of that epoch: for a topology thread's `OnLost`. Loop
   /// closing then does not wait for it.
   void give_up(std::uint64_t epoch, std::uint64_t id) { bag_.give_up(epoch, id); }
 
-  /// Makes every graph anew with the host's poses of now: for after a loop was closed.
+  /// Makes every graph anew with the host's poses of now. Not with the host's lock of its map held.
   void refresh() {
-    guarded([&] { return bag_.refresh(), true; });
+    guarded_([&] { return bag_.refresh(), true; });
+  }
+
+  /// As `KeyFrameBag::refresh_changed`: cheap enough for every key frame. Likewise.
+  std::size_t refresh_changed() {
+    return guarded_([&] { return bag_.refresh_changed(); });
+  }
+
+  // ---- Beside the host's saved map
+  // -----------------------------------------------------------------
+
+  /// What was seen in the key frames that are there: for `save_sightings`, when the host saves.
+  std::vector<SavedSighting> sightings() const { return bag_.sightings(); }
+
+  /// What `load_sightings` gave, for the map that the host has loaded; before or after its key
+  /// frames are added. Those of earlier runs are never the present visit.
+  /// @param id_offset  what the host added to the ids of its saved map
+  /// @return how many are of key frames that were not culled
+  std::size_t restore(std::vector<SavedSighting> saved, std::uint64_t id_offset = 0) {
+    const std::uint64_t now = epoch();
+    const std::uint32_t before = bag_.last_session() + 1;
+    std::size_t taken = 0;
+    for (SavedSighting& sighting : saved) {
+      sighting.id += id_offset;
+      sighting.session += before;
+      taken += guarded_([&] { return bag_.observe(now, std::move(sighting)); }) ? 1U : 0U;
+    }
+    return taken;
   }
 
   // ---- As the host's KeyFrameDatabase
   // ------------------------------------------------------------
 
   /// As `KeyFrameBag::add`.
-  void add(KeyFrame* key_frame) {
+  void add(Pointer key_frame) {
     static_assert(is_host_key_frame_v<KeyFrame>,
                   "topobag: a host's key frame has mnId, mTimeStamp, isBad(), GetPoseInverse() and "
-                  "GetConnectedKeyFrames(), as ORB-SLAM's.");
-    guarded([&] { return bag_.add(*key_frame), true; });
+                  "GetConnectedKeyFrames(), as ORB-SLAM's, or a specialisation of host_traits.");
+    guarded_([&] { return bag_.add(std::move(key_frame)), true; });
   }
 
   /// As `KeyFrameBag::erase`: returns when nobody reads the key frame any more.
-  void erase(KeyFrame* key_frame) { bag_.erase(*key_frame); }
+  void erase(const Pointer& key_frame) { bag_.erase(*key_frame); }
   /// As `KeyFrameBag::clear`: returns when nobody reads a key frame any more.
   void clear() { bag_.clear(); }
 
   /// ORB-SLAM3's.
-  void clearMap(Map* map) {
+  void clearMap(const Map* map) {
     static_assert(has_maps_v<KeyFrame>, "topobag: clearMap needs a KeyFrame with GetMap().");
     bag_.erase_map(map);
   }
 
   /// @param of_the_host  what the host's own database found; see `merge_candidates`. The least BoW
   /// score means nothing to objects.
-  std::vector<KeyFrame*> DetectLoopCandidates(KeyFrame* key_frame, float /*minScore*/,
-                                              const std::vector<KeyFrame*>& of_the_host = {}) {
+  Pointers DetectLoopCandidates(const Pointer& key_frame, float /*minScore*/,
+                                const Pointers& of_the_host = {}) {
     return merge_candidates(loop_places(key_frame), of_the_host);
   }
 
   /// ORB-SLAM3's. `loops` and `merges` come with what the host found; `count` of ours join each.
-  void DetectNBestCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& loops,
-                             std::vector<KeyFrame*>& merges, int count) {
+  void DetectNBestCandidates(const Pointer& key_frame, Pointers& loops, Pointers& merges,
+                             int count) {
     static_assert(has_maps_v<KeyFrame>,
                   "topobag: DetectNBestCandidates needs a KeyFrame with GetMap().");
-    Places here, elsewhere;
-    for (const Place& place : loop_places(key_frame)) {
-      Places& side = place.other_map ? elsewhere : here;
-      if (side.size() < static_cast<std::size_t>(std::max(count, 0))) side.push_back(place);
-    }
-    loops = merge_candidates(here, loops);
-    merges = merge_candidates(elsewhere, merges);
+    const auto most = static_cast<std::size_t>(std::max(count, 0));
+    const std::optional<Graph> graph = graph_of(key_frame);
+    loops = merge_candidates(best(loop_places(key_frame, graph), most), loops);
+    merges = merge_candidates(best(merge_places(key_frame, graph), most), merges);
   }
 
   /// In whatever map.
-  std::vector<KeyFrame*> DetectRelocalizationCandidates(
-      Frame* frame, const std::vector<KeyFrame*>& of_the_host = {}) {
+  Pointers DetectRelocalizationCandidates(Frame* frame, const Pointers& of_the_host = {}) {
     return merge_candidates(relocalization_places(*frame), of_the_host);
   }
 
   /// ORB-SLAM3's: in that map alone.
-  std::vector<KeyFrame*> DetectRelocalizationCandidates(
-      Frame* frame, Map* map, const std::vector<KeyFrame*>& of_the_host = {}) {
+  Pointers DetectRelocalizationCandidates(Frame* frame, Map* map,
+                                          const Pointers& of_the_host = {}) {
     return merge_candidates(relocalization_places(*frame, map), of_the_host);
   }
 
   // ---- The same with poses
   // -----------------------------------------------------------------------
 
-  /// Verified earlier places of a key frame, best first: none that is covisible with it. The host
-  /// keeps `key_frame` alive meanwhile.
-  Places loop_places(KeyFrame* key_frame) {
-    return guarded([&] {
-      const std::optional<Graph> graph = bag_.graph_of(*key_frame, options_.loop_wait);
-      if (!graph) return Places{};
-      auto excluded = key_frame->GetConnectedKeyFrames();
-      excluded.insert(key_frame);
-      std::optional<double> newest;
-      if (options_.min_loop_gap > 0.0) newest = key_frame->mTimeStamp - options_.min_loop_gap;
-      Places places = bag_.places(*graph, excluded, newest, map_of(*key_frame));
-      remove_if(places, [](const Place& place) { return !place.verified; });
-      return best(std::move(places), options_.max_loops);
-    });
+  /// Verified earlier places of a key frame in its own map, best first: none that is covisible with
+  /// it, nor of the present visit. The host keeps `key_frame` alive meanwhile.
+  Places loop_places(const Pointer& key_frame) {
+    return loop_places(key_frame, graph_of(key_frame));
+  }
+
+  /// Verified places of a key frame in the host's other maps, best first, however long ago.
+  Places merge_places(const Pointer& key_frame) {
+    static_assert(has_maps_v<KeyFrame>, "topobag: merge_places needs a KeyFrame with GetMap().");
+    return merge_places(key_frame, graph_of(key_frame));
   }
 
   /// Where the lost camera may be: verified places first, then guesses by falling score, for the
-  /// host to test.
+  /// host to test; in that map alone, where one is given. May be called with the host's lock of its
+  /// map held.
   Places relocalization_places(const Frame& frame, const Map* map = nullptr) {
-    return guarded([&] {
+    return guarded_([&] {
       std::optional<Graph> graph;
       if (graph_of_frame_) graph = graph_of_frame_(frame);
       if (!graph) return Places{};
-      Places places = bag_.places(*graph, {}, std::nullopt, map);
-      remove_if(places, [](const Place& place) { return place.other_map; });
-      return best(std::move(places), options_.max_relocalizations);
+      AskedKeyFrames<KeyFrame> asked;
+      asked.map = map;
+      if (map != nullptr) asked.maps = AskedMaps::this_one;
+      return best(bag_.places(*graph, asked), options_.max_relocalizations);
     });
   }
 
@@ -189,36 +197,42 @@ class OrbSlamDatabase {
 
   /// Key frames that can be found.
   std::size_t size() const { return bag_.size(); }
-
   /// Calls that ended in an exception, and what the last one said.
-  std::pair<std::size_t, std::string> failures() const {
-    const std::lock_guard<std::mutex> lock(failures_mutex_);
-    return failures_;
-  }
+  std::pair<std::size_t, std::string> failures() const { return guarded_.failures(); }
 
  private:
-  /// What `call` returns, or a value of its type that says nothing when it throws.
-  template <typename Call>
-  auto guarded(Call call) -> decltype(call()) {
-    try {
-      return call();
-    } catch (const std::exception& error) {
-      note_failure(error.what());
-    } catch (...) {
-      note_failure("the call threw something that is not a std::exception");
-    }
-    return {};
+  std::optional<Graph> graph_of(const Pointer& key_frame) {
+    return guarded_([&] { return bag_.graph_of(key_frame, options_.loop_wait); });
   }
 
-  void note_failure(const char* why) {
-    const std::lock_guard<std::mutex> lock(failures_mutex_);
-    ++failures_.first;
-    failures_.second = why;
+  Places loop_places(const Pointer& key_frame, const std::optional<Graph>& graph) {
+    AskedKeyFrames<KeyFrame> asked;
+    if constexpr (has_maps_v<KeyFrame>) asked.maps = AskedMaps::this_one;
+    const double stamp = static_cast<double>(host_traits<KeyFrame>::stamp(*key_frame));
+    if (options_.min_loop_gap > 0.0) asked.not_of = {0, stamp - options_.min_loop_gap};
+    return verified_places(key_frame, graph, std::move(asked));
   }
 
-  template <typename Condition>
-  static void remove_if(Places& places, Condition condition) {
-    places.erase(std::remove_if(places.begin(), places.end(), condition), places.end());
+  Places merge_places(const Pointer& key_frame, const std::optional<Graph>& graph) {
+    AskedKeyFrames<KeyFrame> asked;
+    asked.maps = AskedMaps::others;
+    return verified_places(key_frame, graph, std::move(asked));
+  }
+
+  Places verified_places(const Pointer& key_frame, const std::optional<Graph>& graph,
+                         AskedKeyFrames<KeyFrame> asked) {
+    if (!graph) return {};
+    return guarded_([&] {
+      asked.map = map_of(*key_frame);
+      asked.excluded.insert(&*key_frame);
+      for (const auto& other : host_traits<KeyFrame>::neighbors(*key_frame)) {
+        if (other != nullptr) asked.excluded.insert(&*other);
+      }
+      Places places = bag_.places(*graph, asked);
+      const auto is_guess = [](const Place& place) { return !place.verified; };
+      places.erase(std::remove_if(places.begin(), places.end(), is_guess), places.end());
+      return best(std::move(places), options_.max_loops);
+    });
   }
 
   static Places best(Places places, std::size_t count) {
@@ -229,8 +243,7 @@ class OrbSlamDatabase {
   const OrbSlamOptions options_;
   const GraphOfFrame graph_of_frame_;
   KeyFrameBag<KeyFrame> bag_;
-  mutable std::mutex failures_mutex_;
-  std::pair<std::size_t, std::string> failures_;
+  CallGuard guarded_;
 };
 
 }  // namespace v0

@@ -68,14 +68,14 @@ TEST_CASE("a graph is fused within one map alone", "[adaptors]") {
   KeyframeSighting seen_now = small_host::sighting(room, now.mTimeStamp, origin);
   const std::size_t all = seen_now.nodes.size();
   seen_now.nodes.resize(4);
-  bag.add(before);
-  bag.add(now);
+  bag.add(&before);
+  bag.add(&now);
   bag.observe(0, before.mnId, seen_before);
   bag.observe(0, now.mnId, seen_now);
   const std::chrono::milliseconds at_once(0);
-  CHECK(bag.graph_of(now, at_once)->size() == 4);
+  CHECK(bag.graph_of(&now, at_once)->size() == 4);
   before.map = &here;  // the maps were merged
-  CHECK(bag.graph_of(now, at_once)->size() == all);
+  CHECK(bag.graph_of(&now, at_once)->size() == all);
 }
 
 TEST_CASE("with several maps candidates are told apart by map", "[adaptors]") {

@@ -46,12 +46,12 @@ TEST_CASE("erase and clear wait for whoever reads the key frame", "[adaptors]") 
   KeyFrameBag<SlowKeyFrame> bag({}, {});
   auto key_frame = std::make_unique<SlowKeyFrame>();
   bag.observe(0, 1, small_host::sighting(room, 0.0, origin));
-  bag.add(*key_frame);
+  bag.add(key_frame.get());
   REQUIRE(bag.size() == 1);
   key_frame->being_read = &being_read;
   key_frame->let_go = &let_go;
 
-  std::thread query([&] { CHECK(!bag.places(room.seen_from(origin), {}, {}, nullptr).empty()); });
+  std::thread query([&] { CHECK(!bag.places(room.seen_from(origin), {}).empty()); });
   while (!being_read) std::this_thread::yield();
   std::thread host([&] {
     if (by_clear) {
@@ -86,12 +86,12 @@ TEST_CASE("a refresh makes the graphs anew with the poses of now", "[adaptors]")
     bag.observe(0, key_frame->mnId, seen);
   }
   second.SetPoseInverse(Eigen::Translation3d(1.0, 0.0, 0.0) * truth);
-  bag.add(first);
-  bag.add(second);
+  bag.add(&first);
+  bag.add(&second);
   const TopologyGraph<> query = room.seen_from(random_camera(random));
-  const std::set<small_host::KeyFrame*> without_first{&first};
+  const AskedKeyFrames<small_host::KeyFrame> without_first{{&first}};
   const auto matched = [&] {
-    const auto places = bag.places(query, without_first, {}, nullptr);
+    const auto places = bag.places(query, without_first);
     return places.empty() ? 0.0 : places.front().score;
   };
   const double askew = matched();
@@ -100,19 +100,21 @@ TEST_CASE("a refresh makes the graphs anew with the poses of now", "[adaptors]")
   CHECK(matched() > askew);
 }
 
-TEST_CASE("places newer than asked for, and those left out, are none", "[adaptors]") {
+TEST_CASE("the present visit, and those left out, are no places", "[adaptors]") {
   const SyntheticRoom room(7, 9, 4);
   const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
   small_host::KeyFrame early(1, 0.0, origin), late(2, 50.0, origin);
   KeyFrameBag<small_host::KeyFrame> bag({}, {});
   for (small_host::KeyFrame* key_frame : {&early, &late}) {
-    bag.add(*key_frame);
+    bag.add(key_frame);
     bag.observe(0, key_frame->mnId, small_host::sighting(room, key_frame->mTimeStamp, origin));
   }
-  using KeyFrames = std::set<small_host::KeyFrame*>;
+  using KeyFrames = std::set<const small_host::KeyFrame*>;
   const auto found = [&](const KeyFrames& excluded, std::optional<double> newest) {
+    AskedKeyFrames<small_host::KeyFrame> asked{excluded};
+    if (newest) asked.not_of = {0, *newest};
     KeyFrames key_frames;
-    for (const auto& place : bag.places(room.seen_from(origin), excluded, newest, nullptr)) {
+    for (const auto& place : bag.places(room.seen_from(origin), asked)) {
       key_frames.insert(place.key_frame);
     }
     return key_frames;
@@ -130,8 +132,8 @@ TEST_CASE("a refused sighting does not poison its neighbours", "[adaptors]") {
   const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
   small_host::KeyFrame first(1, 0.0, origin), second(2, 1.0, origin);
   KeyFrameBag<small_host::KeyFrame> bag({}, {});
-  bag.add(first);
-  bag.add(second);
+  bag.add(&first);
+  bag.add(&second);
   CHECK_THROWS_AS(bag.observe(0, 1, small_host::sighting(room, nan, origin)), InvalidValue);
   KeyframeSighting askew = small_host::sighting(room, 0.0, origin);
   askew.nodes[2].position->y() = nan;
@@ -154,17 +156,17 @@ TEST_CASE("a key frame that cannot be refreshed does not keep the others from it
   small_host::KeyFrame before(1, 0.0, origin), lost(2, 1.0, origin), after(3, 50.0, origin);
   KeyFrameBag<small_host::KeyFrame> bag({}, {});
   for (small_host::KeyFrame* key_frame : {&before, &lost, &after}) {
-    bag.add(*key_frame);
+    bag.add(key_frame);
     bag.observe(0, key_frame->mnId, small_host::sighting(room, key_frame->mTimeStamp, origin));
   }
   small_host::KeyFrame half(4, 51.0, origin);
-  bag.add(half);
+  bag.add(&half);
   KeyframeSighting seen = small_host::sighting(room, 51.0, origin);
   seen.nodes.resize(4);
   bag.observe(0, 4, seen);
   const TopologyGraph<> query = room.seen_from(random_camera(random));
   const auto found = [&] {
-    const auto places = bag.places(query, {&before, &lost, &after}, {}, nullptr);
+    const auto places = bag.places(query, {{&before, &lost, &after}});
     return places.empty() ? 0.0 : places.front().score;
   };
   const double whole = found();
@@ -186,10 +188,10 @@ TEST_CASE("a filter of the host's own joins the bag's", "[adaptors]") {
   KeyFrameBag<small_host::KeyFrame> bag({}, recognition);
   small_host::KeyFrame first(1, 0.0, origin), second(2, 50.0, origin), third(3, 100.0, origin);
   for (small_host::KeyFrame* key_frame : {&first, &second, &third}) {
-    bag.add(*key_frame);
+    bag.add(key_frame);
     bag.observe(0, key_frame->mnId, small_host::sighting(room, key_frame->mTimeStamp, origin));
   }
-  const auto places = bag.places(room.seen_from(origin), {&third}, {}, nullptr);
+  const auto places = bag.places(room.seen_from(origin), {{&third}});
   CHECK_FALSE(places.empty());
   for (const auto& place : places) CHECK(place.key_frame == &second);
 }
@@ -201,7 +203,7 @@ TEST_CASE("a reset ends the waiting for a sighting", "[adaptors]") {
   std::atomic<bool> ended{false};
   const auto begin = std::chrono::steady_clock::now();
   std::thread query([&] {
-    CHECK_FALSE(bag.graph_of(key_frame, patience));
+    CHECK_FALSE(bag.graph_of(&key_frame, patience));
     ended = true;
   });
   while (!ended) {  // the first may come before the query does
@@ -222,11 +224,11 @@ TEST_CASE("the host says which way is down whenever a graph is made", "[adaptors
     ++asked;
     return known ? small_host::gravity_of(of) : std::nullopt;
   });
-  bag.add(key_frame);
+  bag.add(&key_frame);
   CHECK(asked == 0);
   bag.observe(0, 1, small_host::sighting(room, 0.0, host_pose(key_frame.GetPoseInverse())));
   CHECK(asked == 1);
-  const auto gravity = [&] { return bag.graph_of(key_frame, std::chrono::seconds(0))->gravity(); };
+  const auto gravity = [&] { return bag.graph_of(&key_frame, std::chrono::seconds(0))->gravity(); };
   CHECK_FALSE(gravity());
   known = true;
   for (int i = 0; i < 3; ++i) {
@@ -254,10 +256,10 @@ TEST_CASE("nobody waits for a sighting that was given up", "[adaptors][regressio
   bag.give_up(0, 1);
   bag.erase(culled);
   const std::chrono::hours for_ever{1000};
-  CHECK_FALSE(bag.graph_of(dropped, for_ever));
-  CHECK_FALSE(bag.graph_of(culled, for_ever));
+  CHECK_FALSE(bag.graph_of(&dropped, for_ever));
+  CHECK_FALSE(bag.graph_of(&culled, for_ever));
   small_host::KeyFrame late(3, 0.0, Eigen::Isometry3d::Identity());
-  std::thread loop_closing([&] { CHECK_FALSE(bag.graph_of(late, for_ever)); });
+  std::thread loop_closing([&] { CHECK_FALSE(bag.graph_of(&late, for_ever)); });
   bag.give_up(0, 3);
   loop_closing.join();
 }

@@ -47,7 +47,7 @@ TEST_CASE("a place is where the pose in the candidate puts the camera", "[adapto
     report.other_poses[0].T_candidate_query = random_camera(random);
     report.verdict = Verdict::accepted;
     std::vector<OrbSlamPlace<KeyFrame>> places;
-    detail::append_places(report, key_frame, nullptr, places);
+    detail::append_places(report, &key_frame, nullptr, places);
     REQUIRE(places.size() == 2);
     const Eigen::Isometry3d T_world_candidate = host_pose(key_frame.GetPoseInverse());
     for (const auto& place : places) {

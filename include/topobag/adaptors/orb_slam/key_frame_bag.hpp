@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <functional>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
-#include <topobag/adaptors/orb_slam/fuse_sightings.hpp>
-#include <topobag/adaptors/orb_slam/host_maps.hpp>
-#include <topobag/adaptors/orb_slam/host_pose.hpp>
-#include <topobag/adaptors/orb_slam/key_frame_pins.hpp>
-#include <topobag/adaptors/orb_slam/key_frame_register.hpp>
+#include <topobag/adaptors/orb_slam/asked_key_frames.hpp>
+#include <topobag/adaptors/orb_slam/call_guard.hpp>
+#include <topobag/adaptors/orb_slam/host_reader.hpp>
 #include <topobag/adaptors/orb_slam/place.hpp>
+#include <topobag/bag/savable_graph.hpp>
 #include <topobag/error.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 
@@ -31,26 +28,32 @@ inline namespace v0 {
 /// Any function may be called from any thread. The one lock is a leaf: nothing of the host is
 /// called with it held. `erase` and `clear` wait for whoever reads a key frame at that time, so
 /// that the host may delete it afterwards; they must not be called with a lock of the host held
-/// that `isBad`, `GetPoseInverse`, `GetMap` or the host's word on gravity take.
+/// that its key frames' functions or its word on gravity take.
+///
+/// A graph is fused under the host's own lock of its map (`host_map_traits::pose_mutex`, or
+/// `hold_poses_with`): `observe`, `add`, `graph_of`, `refresh` and `refresh_changed` must not be
+/// called with it held. All else may: ORB-SLAM looks lost frames up under it, and erases some.
 template <typename KeyFrame>
 class KeyFrameBag {
  public:
   using Graph = TopologyGraph<>;
+  using Pointer = host_pointer_t<KeyFrame>;
   using Places = std::vector<OrbSlamPlace<KeyFrame>>;
-
-  /// Which way is down in a key frame's camera frame, by what the host knows now; nothing where it
-  /// does not know.
-  using GravityOf = std::function<std::optional<Gravity<>>(KeyFrame&)>;
+  using GravityOf = GravityOfHost<KeyFrame>;
 
   /// Empty, in the first epoch. Without `gravity_of` a sighting's own gravity is all that is known.
   KeyFrameBag(const LocalGraphOptions& fusing, const RecognitionOptions& recognition,
-              GravityOf gravity_of = {})
-      : fusing_(fusing), gravity_of_(std::move(gravity_of)), relocalizer_(recognition) {}
+              GravityOf gravity_of = {}, const StaleTolerance& stale = {})
+      : host_(fusing, std::move(gravity_of), stale), relocalizer_(recognition) {}
+
+  /// The host's lock of its one map, for hosts whose key frames do not lead to it. Before anything
+  /// else is called; it outlives the bag.
+  void hold_poses_with(std::mutex& mutex) { host_.hold_poses_with(mutex); }
 
   /// Goes up with every `clear`.
   std::uint64_t epoch() const {
     const Lock lock(mutex_);
-    return known_.epoch();
+    return host_.known().epoch();
   }
 
   /// Key frames that can be found.
@@ -61,188 +64,185 @@ class KeyFrameBag {
 
   /// What was seen in a key frame of an epoch; false when it was culled or the map reset meanwhile.
   /// Throws InvalidValue, with the node's index, for a stamp, a node or a gravity that a
-  /// graph would refuse; then the sighting is not kept.
+  /// graph would refuse or that could not be saved; then the sighting is not kept.
   bool observe(std::uint64_t epoch, std::uint64_t id, KeyframeSighting sighting) {
+    return observe(epoch, {id, 0, std::move(sighting)});
+  }
+
+  /// The same of a run that may be an earlier one.
+  bool observe(std::uint64_t epoch, SavedSighting saved) {
     // Here: later it would come up in every graph of its neighbours.
+    const KeyframeSighting& sighting = saved.sighting;
     if (!std::isfinite(sighting.stamp)) throw InvalidValue("the sighting's stamp is not finite");
-    static_cast<void>(Graph(sighting.nodes, {}, {}, sighting.gravity));
-    {
-      const Lock lock(mutex_);
-      if (!known_.observe(epoch, id, std::move(sighting))) return false;
-    }
+    require_savable(Graph(sighting.nodes, {}, {}, sighting.gravity));
+    const std::uint64_t id = saved.id;
+    Lock lock(mutex_);
+    if (!host_.known().observe(epoch, std::move(saved))) return false;
     sighted_.notify_all();
+    lock.unlock();
     make_entry(id);
     return true;
+  }
+
+  /// What was seen in the key frames that are there, to be saved.
+  std::vector<SavedSighting> sightings() const {
+    const Lock lock(mutex_);
+    return host_.known().sightings();
+  }
+
+  /// The greatest session that was observed; the present one is 0.
+  std::uint32_t last_session() const {
+    const Lock lock(mutex_);
+    return host_.known().last_session();
   }
 
   /// Nothing will be seen in a key frame of an epoch: the detector failed, or its queue gave it up.
   /// Who waits for it, waits no longer.
   void give_up(std::uint64_t epoch, std::uint64_t id) {
     const Lock lock(mutex_);
-    known_.give_up(epoch, id);
+    host_.known().give_up(epoch, id);
     sighted_.notify_all();
   }
 
   /// The host has a new key frame; nothing when it is bad or was culled.
-  void add(KeyFrame& key_frame) {
-    if (is_bad(key_frame)) return;
-    const std::uint64_t id = key_frame.mnId;
-    {
-      const Lock lock(mutex_);
-      if (!known_.add(id, &key_frame)) return;
-    }
+  void add(Pointer key_frame) {
+    if (is_bad(*key_frame)) return;
+    const std::uint64_t id = id_of(*key_frame);
+    Lock lock(mutex_);
+    if (!host_.known().add(id, std::move(key_frame))) return;
+    lock.unlock();
     make_entry(id);
   }
 
   /// The host culls a key frame, whether it was added or not.
-  void erase(const KeyFrame& key_frame) {
-    const std::uint64_t id = key_frame.mnId;
+  void erase(KeyFrame& key_frame) {
+    const std::uint64_t id = id_of(key_frame);
     Lock lock(mutex_);
     forget(id);
     sighted_.notify_all();
-    pins_.wait_for_older(lock);
+    host_.pins().wait_for_older(lock);
   }
 
   /// Erases every key frame of one of several maps; the epoch goes on.
   void erase_map(const void* map) {
     Lock lock(mutex_);
-    const auto all = known_.key_frames();
-    std::vector<std::uint64_t> gone;
-    {
-      const KeyFramePins::Scope pinned(pins_, lock);
-      for (const auto& [id, key_frame] : all) {
-        if (map_of(*key_frame) == map) gone.push_back(id);
-      }
-    }
-    lock.lock();
+    const std::vector<std::uint64_t> gone =
+        host_.those_that(lock, [&](KeyFrame& key_frame) { return map_of(key_frame) == map; });
     for (const std::uint64_t id : gone) forget(id);
     sighted_.notify_all();
-    pins_.wait_for_older(lock);
+    host_.pins().wait_for_older(lock);
   }
 
   /// Forgets all key frames; the epoch goes up.
   void clear() {
     Lock lock(mutex_);
-    known_.clear();
+    host_.clear();
     relocalizer_.map().clear();
     sighted_.notify_all();  // what they wait for does not come any more
-    pins_.wait_for_older(lock);
+    host_.pins().wait_for_older(lock);
   }
 
   /// Makes every graph anew with the host's poses of now. Throws the first error, when the others
   /// are made; a graph that cannot be made stays as it was.
   void refresh() {
-    const auto all = [this] {
-      const Lock lock(mutex_);
-      return known_.key_frames();
-    }();
-    std::exception_ptr first_error;
-    for (const auto& entry : all) {
-      try {
-        make_entry(entry.first);
-      } catch (...) {
-        if (!first_error) first_error = std::current_exception();
-      }
-    }
-    if (first_error) std::rethrow_exception(first_error);
+    Lock lock(mutex_);
+    const std::vector<std::uint64_t> all = host_.known().ids();
+    lock.unlock();
+    make_entries(all);
+  }
+
+  /// Makes those graphs anew whose key frames moved against each other, were culled or came to
+  /// another map since: after a loop, a merge, a change of scale, whether the host tells of it or
+  /// not. Returns how many; throws as `refresh`. Some µs for each of the n key frames, and their
+  /// fusing for those that changed.
+  std::size_t refresh_changed() {
+    Lock lock(mutex_);
+    const std::vector<std::uint64_t> changed = host_.stale(lock);
+    lock.unlock();
+    make_entries(changed);
+    return changed.size();
   }
 
   /// The graph of a key frame that the caller keeps alive, added or not; nothing when its sighting
   /// does not come within `wait`, and at once when it is known that it does not come.
-  std::optional<Graph> graph_of(KeyFrame& key_frame, std::chrono::milliseconds wait) {
-    const std::uint64_t id = key_frame.mnId;
+  std::optional<Graph> graph_of(Pointer key_frame, std::chrono::milliseconds wait) {
+    const std::uint64_t id = id_of(*key_frame);
     Lock lock(mutex_);
-    const std::uint64_t epoch = known_.epoch();
-    sighted_.wait_for(lock, wait,
-                      [&] { return known_.epoch() != epoch || known_.is_settled(id); });
-    if (known_.epoch() != epoch || !known_.is_sighted(id)) return std::nullopt;
-    return fuse(known_.window_of(id, &key_frame, fusing_.window), lock);
+    const std::uint64_t epoch = host_.known().epoch();
+    const auto& known = host_.known();
+    sighted_.wait_for(lock, wait, [&] { return known.epoch() != epoch || known.is_settled(id); });
+    if (known.epoch() != epoch || !known.is_sighted(id)) return std::nullopt;
+    std::optional<FusedGraph> fused = host_.fuse(id, std::move(key_frame), lock);
+    if (!fused) return std::nullopt;
+    return std::move(fused->graph);
   }
 
   /// Every pose that a candidate offers: verified ones first, then by falling score, ties by id.
-  /// Candidates pass the filter of the options' retrieval, which is asked with the lock held.
-  ///
-  /// @param excluded  key frames that are no candidates
-  /// @param newest    s; later ones are none either
-  /// @param map       places in another one are marked; null = whatever map
-  Places places(const Graph& graph, const std::set<KeyFrame*>& excluded,
-                std::optional<double> newest, const void* map) {
+  /// Only those asked for compete to be candidates; they pass the filter of the options' retrieval
+  /// too, which is asked with the lock held.
+  Places places(const Graph& graph, const AskedKeyFrames<KeyFrame>& asked) {
     Lock lock(mutex_);
-    std::set<KeyframeId> left_out;
-    for (const auto& [id, key_frame] : known_.key_frames()) {
-      if (excluded.count(key_frame) != 0) left_out.insert(KeyframeId{id});
-    }
+    const std::uint64_t epoch = host_.known().epoch();
+    const std::vector<std::uint64_t> among =
+        host_.those_that(lock, [&](KeyFrame& key_frame) { return asked.contains(key_frame); });
+    if (host_.known().epoch() != epoch) return {};
     RecognitionOptions options = relocalizer_.options();
+    if (asked.not_of) options.retrieval.among.not_of = asked.not_of;
     const auto& wanted = relocalizer_.options().retrieval.filter;
     options.retrieval.filter = [&](KeyframeId id, const EntryInfo& info) {
-      return left_out.count(id) == 0 && (!newest || *info.stamp <= *newest) &&
+      return std::binary_search(among.begin(), among.end(), value(id)) &&
              (!wanted || wanted(id, info));
     };
     const Recognition recognition = relocalizer_.localize(graph, options);
-    std::vector<std::pair<const CandidateReport*, KeyFrame*>> found;
+    std::vector<std::pair<const CandidateReport*, Pointer>> found;
     for (const CandidateReport& report : recognition.candidates) {
-      if (report.pose) found.emplace_back(&report, known_.key_frame(value(report.id)));
+      if (report.pose) found.emplace_back(&report, host_.known().key_frame(value(report.id)));
     }
-    const KeyFramePins::Scope pinned(pins_, lock);
+    const KeyFramePins::Scope pinned(host_.pins(), lock);
     Places places;
     for (const auto& [report, key_frame] : found) {
-      if (!is_bad(*key_frame)) detail::append_places(*report, *key_frame, map, places);
+      if (!is_bad(*key_frame)) detail::append_places(*report, key_frame, asked.map, places);
     }
     return detail::best_first(places);
   }
 
  private:
   using Lock = KeyFramePins::Lock;
-  using Members = std::vector<SightedKeyFrame<KeyFrame>>;
 
   void forget(std::uint64_t id) {
-    known_.erase(id);
+    host_.erase(id);
     relocalizer_.map().erase(KeyframeId{id});
   }
 
-  /// Reads the poses and the gravity of now and fuses those of the last one's map. Needs the lock
-  /// and releases it.
-  Graph fuse(const Members& members, Lock& lock) {
-    std::vector<PosedSighting> posed;
-    {
-      const KeyFramePins::Scope pinned(pins_, lock);
-      KeyFrame* const own = members.back().key_frame;
-      const void* const map = map_of(*own);
-      for (const auto& [sighting, key_frame] : members) {
-        if (key_frame != own && (is_bad(*key_frame) || map_of(*key_frame) != map)) continue;
-        posed.push_back({sighting, host_pose(key_frame->GetPoseInverse()),
-                         gravity_of_ ? gravity_of_(*key_frame) : std::nullopt});
-      }
-    }
-    return fuse_sightings(posed, fusing_);
+  void make_entries(const std::vector<std::uint64_t>& ids) {
+    detail::call_for_all(ids, [this](std::uint64_t id) { make_entry(id); });
   }
 
   /// Puts a key frame into the bag, or its graph anew, once its pointer and its sighting are there.
   void make_entry(std::uint64_t id) {
     Lock lock(mutex_);
-    const std::uint64_t epoch = known_.epoch();
-    KeyFrame* const key_frame = known_.key_frame(id);
-    if (key_frame == nullptr || !known_.is_sighted(id)) return;
-    const Members members = known_.window_of(id, key_frame, fusing_.window);
-    Graph graph = fuse(members, lock);
-    lock.lock();
-    if (known_.epoch() != epoch || known_.key_frame(id) == nullptr) return;
+    const std::uint64_t epoch = host_.known().epoch();
+    const Pointer key_frame = host_.known().key_frame(id);
+    if (key_frame == nullptr || !host_.known().is_sighted(id)) return;
     EntryInfo info;
-    info.stamp = members.back().sighting->stamp;
+    info.stamp = host_.known().stamp_of(id);
+    info.session = host_.known().session_of(id);
+    std::optional<FusedGraph> fused = host_.fuse(id, key_frame, lock);
+    if (!fused) return;
+    lock.lock();
+    if (host_.known().epoch() != epoch || host_.known().key_frame(id) == nullptr) return;
     auto& bag = relocalizer_.map();
     if (bag.contains(KeyframeId{id})) {
-      bag.update(KeyframeId{id}, std::move(graph), info);
-    } else if (graph.is_matchable()) {
-      bag.add(KeyframeId{id}, std::move(graph), info);
+      bag.update(KeyframeId{id}, std::move(fused->graph), info);
+    } else if (fused->graph.is_matchable()) {
+      bag.add(KeyframeId{id}, std::move(fused->graph), info);
     }
+    host_.keep(id, std::move(fused->window));
   }
 
-  const LocalGraphOptions fusing_;
-  const GravityOf gravity_of_;
   mutable std::mutex mutex_;
   std::condition_variable sighted_;
-  KeyFramePins pins_;
-  KeyFrameRegister<KeyFrame> known_;
+  HostReader<KeyFrame> host_;
   Relocalizer<> relocalizer_;
 };
 

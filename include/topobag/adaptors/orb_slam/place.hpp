@@ -19,7 +19,7 @@ inline namespace v0 {
 /// A key frame of the host that the query resembles, and where the query's camera then is.
 template <typename KeyFrame>
 struct OrbSlamPlace {
-  KeyFrame* key_frame = nullptr;                                        ///< the host's; not owned
+  host_pointer_t<KeyFrame> key_frame{};  ///< the host's; a plain pointer owns nothing
   Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();  ///< the match
   /// The candidate's pose at the time of the query, carried on.
   Eigen::Isometry3d T_world_query = Eigen::Isometry3d::Identity();
@@ -37,14 +37,14 @@ namespace detail {
 /// Every pose that a candidate offers. Precondition: the report has one.
 /// @param map  places in another one are marked; null = whatever map
 template <typename KeyFrame>
-void append_places(const CandidateReport& report, KeyFrame& key_frame, const void* map,
-                   std::vector<OrbSlamPlace<KeyFrame>>& places) {
-  const Eigen::Isometry3d T_world_candidate = host_pose(key_frame.GetPoseInverse());
-  const bool other_map = map != nullptr && map_of(key_frame) != map;
+void append_places(const CandidateReport& report, const host_pointer_t<KeyFrame>& key_frame,
+                   const void* map, std::vector<OrbSlamPlace<KeyFrame>>& places) {
+  const Eigen::Isometry3d T_world_candidate =
+      host_pose(host_traits<KeyFrame>::T_world_camera(*key_frame));
+  const bool other_map = map != nullptr && map_of(*key_frame) != map;
   const auto offer = [&](const RelativePose& pose, bool verified) {
-    places.push_back({&key_frame, pose.T_candidate_query,
-                      T_world_candidate * pose.T_candidate_query, pose.score(), verified,
-                      other_map});
+    places.push_back({key_frame, pose.T_candidate_query, T_world_candidate * pose.T_candidate_query,
+                      pose.score(), verified, other_map});
   };
   offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::not_best);
   for (const RelativePose& other : report.other_poses) offer(other, false);
@@ -71,18 +71,20 @@ std::vector<OrbSlamPlace<KeyFrame>> best_first(const std::vector<OrbSlamPlace<Ke
 /// then the guesses; each key frame once, where it comes first. Places were tested for bad key
 /// frames when they were found.
 template <typename KeyFrame>
-std::vector<KeyFrame*> merge_candidates(const std::vector<OrbSlamPlace<KeyFrame>>& places,
-                                        const std::vector<KeyFrame*>& of_the_host) {
-  std::vector<KeyFrame*> merged;
+std::vector<host_pointer_t<KeyFrame>> merge_candidates(
+    const std::vector<OrbSlamPlace<KeyFrame>>& places,
+    const std::vector<host_pointer_t<KeyFrame>>& of_the_host) {
+  using Pointer = host_pointer_t<KeyFrame>;
+  std::vector<Pointer> merged;
   std::set<const KeyFrame*> taken;
-  const auto take = [&](KeyFrame* key_frame) {
-    if (taken.insert(key_frame).second) merged.push_back(key_frame);
+  const auto take = [&](const Pointer& key_frame) {
+    if (taken.insert(&*key_frame).second) merged.push_back(key_frame);
   };
   for (const auto& place : places) {
     if (place.verified) take(place.key_frame);
   }
-  for (KeyFrame* key_frame : of_the_host) {
-    if (key_frame != nullptr && !key_frame->isBad()) take(key_frame);
+  for (const Pointer& key_frame : of_the_host) {
+    if (key_frame != nullptr && !host_traits<KeyFrame>::is_bad(*key_frame)) take(key_frame);
   }
   for (const auto& place : places) take(place.key_frame);
   return merged;

@@ -13,10 +13,7 @@
 
 #include <opencv2/core.hpp>
 
-#include <Frame.h>
-#include <KeyFrame.h>
-#include <Map.h>
-#include <SemanticHooks.h>
+#include <host.hpp>
 
 #include <topobag/adaptors/orb_slam.hpp>
 #include <topobag/adaptors/topology_thread.hpp>
@@ -72,12 +69,11 @@ struct OfferedPlaces {
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< by the best one, when it is verified
 };
 
-/// The semantic topology graph thread and the bag beside an ORB-SLAM2.
-class SemanticSlam final
-    : public topobag_hooks::SemanticObserver<ORB_SLAM2::KeyFrame, ORB_SLAM2::Frame> {
+/// The semantic topology graph thread and the bag beside an ORB-SLAM2 or an ORB-SLAM3.
+class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame, host::Frame> {
  public:
-  using KeyFrame = ORB_SLAM2::KeyFrame;
-  using Frame = ORB_SLAM2::Frame;
+  using KeyFrame = host::KeyFrame;
+  using Frame = host::Frame;
 
   SemanticSlam(const Settings& settings, topobag::ClassCatalog catalog, Detect detect,
                Odometry odometry = {});
@@ -88,14 +84,22 @@ class SemanticSlam final
   void Added(KeyFrame* key_frame) override;
   void Erased(KeyFrame* key_frame) override;
   void Cleared() override;
+  void ClearedMap(const void* map) override;
   void LoopCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) override;
-  void RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates) override;
-  std::vector<topobag_hooks::Place<KeyFrame>> Places() override;
+  void MergeCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) override;
+  Places MergePlaces() override;
+  void RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates,
+                                const void* map) override;
+  Places RelocalizationPlaces() override;
   void PlacesTried(int accepted) override;
+  void MergePlacesTried(int accepted) override;
 
-  /// To be told when the host has closed a loop or finished a global bundle adjustment: the graphs
-  /// are made anew before the next key frame is worked on or the next lost frame looked up.
-  void poses_corrected() { corrected_ = true; }
+  /// Before an observer is set: the lock under which the host moves its one map.
+  void hold_poses_with(std::mutex& mutex) { database_.hold_poses_with(mutex); }
+
+  /// What was seen, beside the map that the host saves; and back, for the map that it has loaded.
+  void save(const std::string& path) const;
+  std::size_t load(const std::string& path);
 
   /// Returns when the topology thread has nothing left to do; ends it. Before the host's shutdown.
   void wait_idle() { thread_.wait_idle(); }
@@ -106,7 +110,9 @@ class SemanticSlam final
   std::pair<std::size_t, std::string> failures() const { return database_.failures(); }
   MaskedFeatures masked_features() const { return masked_; }  ///< on tracking's thread
   std::vector<OfferedLoop> offered_loops() const;
+  std::vector<OfferedLoop> offered_merges() const;  ///< the same for the host's other maps
   std::vector<OfferedPlaces> offered_places() const;
+  std::size_t merges_begun() const { return merges_begun_; }  ///< from object poses
 
   /// How long each stage took, ms, by name, a value a call.
   std::map<std::string, std::vector<double>> times() const;
@@ -114,7 +120,7 @@ class SemanticSlam final
  private:
   struct Job {
     std::uint64_t epoch = 0;
-    std::uint64_t id = 0;
+    std::optional<std::uint64_t> id;  ///< none: only the graphs are looked after
     Images images;
   };
 
@@ -122,7 +128,10 @@ class SemanticSlam final
   std::vector<topobag::RangedDetection> detect(const Images& images);
   topobag::KeyframeSighting sight(const Images& images, const char* stage);
   void drop_dynamic_features(Frame& frame);
-  void refresh_if_corrected();
+  void refresh();
+  static Places plain(const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places);
+  std::vector<OfferedLoop> offers(const KeyFrame& key_frame,
+                                  const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places) const;
   void work(const Job& job);
   void note(const std::string& stage, double ms);
 
@@ -138,14 +147,19 @@ class SemanticSlam final
   double graph_ms_ = 0.0;  ///< what the last lost frame's graph took; 0 = it has none
   MaskedFeatures masked_;
 
+  double last_check_ = 0.0;  ///< s; stamp of the lost frame at which the graphs were looked after
+
+  // Loop closing's alone.
+  std::vector<topobag::OrbSlamPlace<KeyFrame>> merges_;
+
   mutable std::mutex mutex_;  ///< of what follows
   std::map<std::string, std::vector<double>> times_;
-  std::vector<OfferedLoop> offered_loops_;
+  std::vector<OfferedLoop> offered_loops_, offered_merges_;
   std::vector<OfferedPlaces> offered_places_;
 
-  std::atomic<bool> corrected_{false};
+  std::atomic<std::size_t> merges_begun_{0};
   std::mutex detect_mutex_;
-  topobag::OrbSlamDatabase<KeyFrame, Frame, ORB_SLAM2::Map> database_;
+  topobag::OrbSlamDatabase<KeyFrame, Frame, host::Map> database_;
   topobag::TopologyThread<Job> thread_;
 };
 

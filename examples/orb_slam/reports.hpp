@@ -73,9 +73,10 @@ inline void report_places(const SemanticSlam& semantic, const std::set<double>& 
 /// What became of the key frames, and of the features where they are masked.
 inline void report_map(const SemanticSlam& semantic, bool mask) {
   const auto counts = semantic.counts();
-  std::cout << "key frames: " << counts.pushed << " made, " << counts.processed
-            << " through the topology thread, " << counts.failed << " failed, " << counts.given_up
-            << " given up, " << semantic.size() << " in the bag\n";
+  std::cout << "key frames, and looks at the poses while lost: " << counts.pushed << " made, "
+            << counts.processed << " through the topology thread, " << counts.failed << " failed, "
+            << counts.given_up << " given up; " << semantic.size()
+            << " in the bag; exceptions: " << semantic.failures().first << '\n';
   if (mask) {
     const MaskedFeatures masked = semantic.masked_features();
     std::cout << "features masked: " << masked.dropped << " of " << masked.seen << ", in "
@@ -83,13 +84,12 @@ inline void report_map(const SemanticSlam& semantic, bool mask) {
   }
 }
 
-/// The loops that were offered, scored by the truth.
+/// The candidates that were offered for loops or merges, scored by the truth.
 /// @param path  of a table of them
-inline void report_loops(const SemanticSlam& semantic, const topobag::Trajectory& truth,
-                         const std::string& path) {
+inline void report_offers(const std::string& what, const std::vector<OfferedLoop>& offered,
+                          const topobag::Trajectory& truth, const std::string& path) {
   std::ofstream file(path);
   file << "query_stamp,candidate_stamp,error_m,error_deg\n" << std::setprecision(17);
-  const auto offered = semantic.offered_loops();
   std::size_t wrong = 0;
   for (const OfferedLoop& loop : offered) {
     file << loop.query_stamp << ',' << loop.candidate_stamp << ',';
@@ -104,8 +104,8 @@ inline void report_loops(const SemanticSlam& semantic, const topobag::Trajectory
     }
     file << '\n';
   }
-  std::cout << "loop candidates offered: " << offered.size() << ", wrong by the truth: " << wrong
-            << "; exceptions: " << semantic.failures().first << '\n';
+  std::cout << what << " candidates offered: " << offered.size()
+            << ", wrong by the truth: " << wrong << '\n';
 }
 
 }  // namespace semantic

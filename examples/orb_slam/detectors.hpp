@@ -26,29 +26,35 @@ struct Calibration {
   double depth_scale = 1.0;
 };
 
+/// A number of the settings under its name of ORB-SLAM2 or that of ORB-SLAM3; 0 = it has none.
+inline double setting(const cv::FileStorage& file, const std::string& name,
+                      const std::string& renamed) {
+  const cv::FileNode node = file[name].empty() ? file[renamed] : file[name];
+  return node.empty() ? 0.0 : static_cast<double>(node);
+}
+
 /// Throws topobag::Error when the file cannot be read.
 inline Calibration read_calibration(const std::string& settings) {
   const cv::FileStorage file(settings, cv::FileStorage::READ);
   if (!file.isOpened()) throw topobag::Error(settings + ": the file cannot be read");
   Calibration calibration;
   auto& camera = calibration.camera;
-  camera.fx = static_cast<double>(file["Camera.fx"]);
-  camera.fy = static_cast<double>(file["Camera.fy"]);
-  camera.cx = static_cast<double>(file["Camera.cx"]);
-  camera.cy = static_cast<double>(file["Camera.cy"]);
+  camera.fx = setting(file, "Camera.fx", "Camera1.fx");
+  camera.fy = setting(file, "Camera.fy", "Camera1.fy");
+  camera.cx = setting(file, "Camera.cx", "Camera1.cx");
+  camera.cy = setting(file, "Camera.cy", "Camera1.cy");
   camera.width = static_cast<int>(file["Camera.width"]);
   camera.height = static_cast<int>(file["Camera.height"]);
   camera.validate();
   calibration.matrix = (cv::Mat_<double>(3, 3) << camera.fx, 0.0, camera.cx, 0.0, camera.fy,
                         camera.cy, 0.0, 0.0, 1.0);
   calibration.distortion = cv::Mat::zeros(5, 1, CV_64F);
-  const char* const names[] = {"Camera.k1", "Camera.k2", "Camera.p1", "Camera.p2", "Camera.k3"};
+  const char* const names[] = {"k1", "k2", "p1", "p2", "k3"};
   for (int i = 0; i < 5; ++i) {
-    if (!file[names[i]].empty()) {
-      calibration.distortion.at<double>(i) = static_cast<double>(file[names[i]]);
-    }
+    const std::string name = names[i];
+    calibration.distortion.at<double>(i) = setting(file, "Camera." + name, "Camera1." + name);
   }
-  calibration.depth_scale = static_cast<double>(file["DepthMapFactor"]);
+  calibration.depth_scale = setting(file, "DepthMapFactor", "RGBD.DepthMapFactor");
   return calibration;
 }
 

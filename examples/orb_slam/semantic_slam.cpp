@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "semantic_slam.hpp"
 
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -22,7 +23,7 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
       database_(settings.database, [this](const Frame& frame) { return graph_of_lost(frame); }),
       thread_([this](const Job& job) { work(job); }, settings.thread,
               [this](const Job& job, const std::string&) {
-                database_.give_up(job.epoch, job.id);  // loop closing does not wait for it
+                if (job.id) database_.give_up(job.epoch, *job.id);  // loop closing does not wait
               }) {}
 
 SemanticSlam::~SemanticSlam() { thread_.stop(); }
@@ -43,7 +44,7 @@ void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
   const Stopwatch watch;
   // The caller may use its images again; the job outlives them.
   thread_.push({database_.epoch(),
-                key_frame->mnId,
+                std::uint64_t{key_frame->mnId},
                 {current_.rgb.clone(), current_.depth.clone(), current_.stamp}});
   note("tracking: hand a key frame over", watch.milliseconds());
 }
@@ -63,23 +64,49 @@ void SemanticSlam::Cleared() {
   places_.clear();
 }
 
+void SemanticSlam::ClearedMap(const void* map) {
+  if constexpr (topobag::has_maps_v<KeyFrame>) {
+    database_.clearMap(static_cast<const host::Map*>(map));
+  }
+}
+
 void SemanticSlam::LoopCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) {
   const Stopwatch watch;
   const auto places = database_.loop_places(key_frame);
   candidates = topobag::merge_candidates(places, candidates);
   note("loop closing: query", watch.milliseconds());
+  const auto offered = offers(*key_frame, places);
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& place : places) {
-    offered_loops_.push_back(
-        {key_frame->mTimeStamp, place.key_frame->mTimeStamp, place.T_candidate_query});
+  offered_loops_.insert(offered_loops_.end(), offered.begin(), offered.end());
+}
+
+void SemanticSlam::MergeCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) {
+  if constexpr (topobag::has_maps_v<KeyFrame>) {
+    const Stopwatch watch;
+    merges_ = database_.merge_places(key_frame);
+    candidates = topobag::merge_candidates(merges_, candidates);
+    note("loop closing: query other maps", watch.milliseconds());
+    const auto offered = offers(*key_frame, merges_);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    offered_merges_.insert(offered_merges_.end(), offered.begin(), offered.end());
   }
 }
 
-void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates) {
-  refresh_if_corrected();
+SemanticSlam::Places SemanticSlam::MergePlaces() { return plain(std::exchange(merges_, {})); }
+
+void SemanticSlam::MergePlacesTried(int accepted) { merges_begun_ += accepted >= 0 ? 1U : 0U; }
+
+void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates,
+                                            const void* map) {
+  // While it is lost, no key frame comes. Here the host holds its map's lock: another thread does
+  // it.
+  if (std::abs(frame->mTimeStamp - last_check_) > 1.0) {
+    last_check_ = frame->mTimeStamp;
+    thread_.push({});
+  }
   const Stopwatch watch;
   graph_ms_ = 0.0;
-  places_ = database_.relocalization_places(*frame);
+  places_ = database_.relocalization_places(*frame, static_cast<const host::Map*>(map));
   candidates = topobag::merge_candidates(places_, candidates);
   if (graph_ms_ > 0.0) note("tracking, lost: query", watch.milliseconds() - graph_ms_);
   OfferedPlaces offered;
@@ -90,10 +117,30 @@ void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>
   offered_places_.push_back(offered);
 }
 
-std::vector<topobag_hooks::Place<SemanticSlam::KeyFrame>> SemanticSlam::Places() {
-  std::vector<topobag_hooks::Place<KeyFrame>> plain;
-  for (const auto& place : places_) plain.push_back({place.key_frame, place.camera_pose()});
+SemanticSlam::Places SemanticSlam::RelocalizationPlaces() { return plain(places_); }
+
+SemanticSlam::Places SemanticSlam::plain(
+    const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places) {
+  Places plain;
+  for (const auto& place : places) plain.push_back({place.key_frame, place.camera_pose()});
   return plain;
+}
+
+std::vector<OfferedLoop> SemanticSlam::offers(
+    const KeyFrame& key_frame, const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places) const {
+  std::vector<OfferedLoop> offered;
+  for (const auto& place : places) {
+    offered.push_back({key_frame.mTimeStamp, place.key_frame->mTimeStamp, place.T_candidate_query});
+  }
+  return offered;
+}
+
+void SemanticSlam::save(const std::string& path) const {
+  topobag::save_sightings(database_.sightings(), path);
+}
+
+std::size_t SemanticSlam::load(const std::string& path) {
+  return database_.restore(topobag::load_sightings(path));
 }
 
 void SemanticSlam::PlacesTried(int accepted) {
@@ -104,6 +151,11 @@ void SemanticSlam::PlacesTried(int accepted) {
 std::vector<OfferedLoop> SemanticSlam::offered_loops() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return offered_loops_;
+}
+
+std::vector<OfferedLoop> SemanticSlam::offered_merges() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return offered_merges_;
 }
 
 std::vector<OfferedPlaces> SemanticSlam::offered_places() const {
@@ -163,18 +215,19 @@ void SemanticSlam::drop_dynamic_features(Frame& frame) {
   masked_.frames += dropped > 0 ? 1 : 0;
 }
 
-void SemanticSlam::refresh_if_corrected() {
-  if (!corrected_.exchange(false)) return;
+void SemanticSlam::refresh() {
   const Stopwatch watch;
-  database_.refresh();
-  note("graphs anew after a correction", watch.milliseconds());
+  const std::size_t changed = database_.refresh_changed();
+  note("topology thread: what moved?", watch.milliseconds());
+  if (changed > 0) note("topology thread: graphs anew", watch.milliseconds());
 }
 
 void SemanticSlam::work(const Job& job) {
-  refresh_if_corrected();
+  refresh();
+  if (!job.id) return;
   topobag::KeyframeSighting sighting = sight(job.images, "topology thread: detect");
   const Stopwatch watch;
-  database_.observe(job.epoch, job.id, std::move(sighting));
+  database_.observe(job.epoch, *job.id, std::move(sighting));
   note("topology thread: fuse and add", watch.milliseconds());
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ORB-SLAM2 with a bag of topology graphs beside it, on an RGB-D sequence of the TUM benchmark.
+// ORB-SLAM2 or 3 with a bag of topology graphs beside it, on an RGB-D sequence of the TUM
+// benchmark.
 #include <chrono>
 #include <cstddef>
 #include <exception>
@@ -14,8 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <KeyFrameDatabase.h>
-#include <System.h>
+#include <host.hpp>
 
 #include <topobag/evaluation/alignment.hpp>
 #include <topobag/evaluation/pose_error.hpp>
@@ -41,6 +41,7 @@ struct Arguments {
   std::size_t max_places = 5;
   std::size_t candidates = 0;
   std::string out = ".";
+  std::string load_sightings, save_sightings;
   bool mask = false;
   bool stock = false;
   bool no_wait = false;
@@ -53,14 +54,17 @@ Detect make_detect(const Arguments& arguments, const Calibration& calibration) {
   return table_detector(tables, calibration);
 }
 
-Eigen::Isometry3d world_camera(const cv::Mat& Tcw) { return topobag::host_pose(Tcw).inverse(); }
+template <typename Pose>
+Eigen::Isometry3d world_camera(const Pose& Tcw) {
+  return topobag::host_pose(Tcw).inverse();
+}
 
 class Run {
  public:
   explicit Run(const Arguments& arguments)
       : arguments_(arguments),
         calibration_(read_calibration(arguments.settings)),
-        slam_(arguments.vocabulary, arguments.settings, ORB_SLAM2::System::RGBD, false) {
+        slam_(arguments.vocabulary, arguments.settings, host::System::RGBD, false) {
     if (!arguments.kidnap_sequence.empty()) kidnap_truth_ = read_truth(arguments.kidnap_sequence);
     if (arguments.stock) return;
     Settings settings;
@@ -75,6 +79,10 @@ class Run {
     semantic_ = std::make_unique<SemanticSlam>(
         settings, topobag::ClassCatalog::coco80(), make_detect(arguments, calibration_),
         [this](double stamp) { return true_pose(kidnap_truth_, stamp); });
+    host::hold_poses(*semantic_, slam_);
+    if (!arguments.load_sightings.empty()) {
+      std::cout << semantic_->load(arguments.load_sightings) << " sightings restored\n";
+    }
     slam_.GetKeyFrameDatabase()->semantic.SetObserver(semantic_.get());
   }
 
@@ -88,9 +96,9 @@ class Run {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const Images images = read_images(frames[i]);
       const program::Stopwatch watch;
-      const cv::Mat Tcw = track_frame(images);
+      const auto Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
-      if (slam_.GetTrackingState() == ORB_SLAM2::Tracking::OK) {
+      if (host::is_tracking(slam_)) {
         tracked_.push_back({images.stamp, world_camera(Tcw)});
       }
       if (!arguments_.no_wait && i + 1 < frames.size()) {
@@ -108,7 +116,11 @@ class Run {
     if (ate) std::cout << "ATE rmse: " << ate->rmse << " m\n";
     if (semantic_) {
       report_map(*semantic_, arguments_.mask);
-      report_loops(*semantic_, truth, arguments_.out + "/loops.csv");
+      report_offers("loop", semantic_->offered_loops(), truth, arguments_.out + "/loops.csv");
+      if constexpr (topobag::has_maps_v<host::KeyFrame>) {
+        report_offers("merge", semantic_->offered_merges(), truth, arguments_.out + "/merges.csv");
+        std::cout << "merges begun from object poses: " << semantic_->merges_begun() << '\n';
+      }
     }
     std::cout << "stage                                  calls   median      95%      max, ms\n";
     print_times("tracking: whole frame", ms);
@@ -119,7 +131,7 @@ class Run {
 
   /// Shows frames of another sequence alone to the lost tracker, blank frames between.
   void kidnap() {
-    slam_.ActivateLocalizationMode();
+    host::stop_mapping(slam_);
     const auto frames =
         read_associations(arguments_.kidnap_sequence, arguments_.kidnap_associations);
     std::ofstream file(arguments_.out + "/relocalizations.csv");
@@ -138,11 +150,11 @@ class Run {
                      images.stamp - before});
       }
       const program::Stopwatch watch;
-      const cv::Mat Tcw = track_frame(images);
+      const auto Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
       ++shown;
       file << std::setprecision(17) << images.stamp << ',';
-      if (slam_.GetTrackingState() != ORB_SLAM2::Tracking::OK) {
+      if (!host::is_tracking(slam_)) {
         file << "0,,\n";
         continue;
       }
@@ -164,6 +176,7 @@ class Run {
 
   void finish() {
     stop();
+    if (semantic_ && !arguments_.save_sightings.empty()) semantic_->save(arguments_.save_sightings);
     slam_.SaveTrajectoryTUM(arguments_.out + "/CameraTrajectory.txt");
     slam_.SaveKeyFrameTrajectoryTUM(arguments_.out + "/KeyFrameTrajectory.txt");
   }
@@ -175,15 +188,14 @@ class Run {
     slam_.Shutdown();
   }
 
-  cv::Mat track_frame(const Images& images) {
-    if (semantic_ && slam_.MapChanged()) semantic_->poses_corrected();
+  host::Pose track_frame(const Images& images) {
     return slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
   }
 
   const Arguments& arguments_;
   const Calibration calibration_;
   topobag::Trajectory kidnap_truth_;
-  ORB_SLAM2::System slam_;
+  host::System slam_;
   std::unique_ptr<SemanticSlam> semantic_;
   topobag::Trajectory tracked_;
   topobag::Alignment alignment_;  ///< of the map's world with the truth's
@@ -194,9 +206,9 @@ class Run {
 
 int main(int argc, char** argv) {
   semantic::Arguments arguments;
-  CLI::App app("ORB-SLAM2 with a bag of topology graphs, on a TUM RGB-D sequence");
+  CLI::App app(std::string(host::name) + " with a bag of topology graphs, on a TUM RGB-D sequence");
   app.add_option("VOC", arguments.vocabulary, "ORB vocabulary, text")->required();
-  app.add_option("SETTINGS", arguments.settings, "ORB-SLAM2's settings, YAML")->required();
+  app.add_option("SETTINGS", arguments.settings, "The host's settings, YAML")->required();
   app.add_option("SEQUENCE", arguments.sequence, "Folder of the sequence")->required();
   app.add_option("ASSOCIATIONS", arguments.associations, "Pairs of images")->required();
   auto* table = app.add_option("--detections", arguments.table, "Node table of the sequence");
@@ -208,8 +220,12 @@ int main(int argc, char** argv) {
   app.add_option("--places", arguments.max_places, "Places offered to a lost tracker");
   app.add_option("--candidates", arguments.candidates, "Key frames whose graphs are matched [3]");
   app.add_option("--out", arguments.out, "Folder for trajectories, loops, re-localizations");
-  app.add_option("--kidnap", arguments.kidnap_sequence, "Then shows frames of this sequence alone");
-  app.add_option("--kidnap-associations", arguments.kidnap_associations, "Its pairs of images");
+  app.add_option("--load-sightings", arguments.load_sightings, "Of the map that the host loads");
+  app.add_option("--save-sightings", arguments.save_sightings, "Beside the map that it saves");
+  auto* kidnap_associations =
+      app.add_option("--kidnap-associations", arguments.kidnap_associations, "Its pairs of images");
+  app.add_option("--kidnap", arguments.kidnap_sequence, "Then shows frames of this sequence alone")
+      ->needs(kidnap_associations);
   app.add_option("--kidnap-detections", arguments.kidnap_table, "Its node table");
   app.add_option("--kidnap-every", arguments.kidnap_every, "Every so many of its frames")
       ->check(CLI::PositiveNumber);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <set>
+
+#include <topobag/adaptors/orb_slam/host_maps.hpp>
+#include <topobag/bag/entry_filter.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// Which of a host's maps are asked.
+enum class AskedMaps {
+  all,       ///< whatever map
+  this_one,  ///< `AskedKeyFrames::map` alone: loops, re-localization
+  others,    ///< all but that one: merges
+};
+
+/// Which key frames may be found: asked before anything is ranked, so that no other takes a place
+/// among the candidates.
+template <typename KeyFrame>
+struct AskedKeyFrames {
+  std::set<const KeyFrame*> excluded{};  ///< these are not
+  std::optional<PresentVisit> not_of{};  ///< nor are those of the present visit
+  AskedMaps maps = AskedMaps::all;       ///< with several maps: those of which
+  const void* map = nullptr;             ///< "this one"; places in another one are marked
+
+  /// Whether the key frame may be found, its stamp aside. Calls the host.
+  bool contains(KeyFrame& key_frame) const {
+    if (excluded.count(&key_frame) != 0 || is_bad(key_frame)) return false;
+    return maps == AskedMaps::all || (map_of(key_frame) == map) == (maps == AskedMaps::this_one);
+  }
+};
+
+}  // namespace v0
+}  // namespace topobag
