@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <topobag/graph/gravity.hpp>
+#include <topobag/graph/view.hpp>
+#include <topobag/sensing/lift_detections.hpp>
+#include <topobag/sensing/pinhole_camera.hpp>
+#include <topobag/types/appearance.hpp>
+#include <topobag/types/class_catalog.hpp>
+#include <topobag/types/detection.hpp>
+#include <topobag/types/ids.hpp>
+
+namespace topobag {
+inline namespace v0 {
+
+/// One object of which only the direction is known: what a lost camera without depth sees.
+struct Bearing {
+  ClassId label{};                                         ///< class
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();    ///< unit vector in the camera's frame
+  double deviation = 0.02;                                 ///< rad; σ about each axis across it
+  Eigen::Vector2d extent = Eigen::Vector2d::Zero();        ///< width and height over the depth:
+                                                           ///< the box in focal lengths; 0 = unknown
+  double confidence = 1.0;                                 ///< detector's score in [0, 1]
+  Appearance appearance{};                                 ///< what it looks like
+};
+
+/// What one image without depth shows.
+struct BearingSighting {
+  std::vector<Bearing> bearings;     ///< in detection order
+  std::vector<std::size_t> sources;  ///< index of the detection behind each bearing
+  View<> view;                       ///< the camera, and every box; how far away is unknown
+  std::optional<Gravity<>> gravity;  ///< which way is down in the camera's frame; the caller's
+  DroppedDetections dropped;         ///< what did not become a bearing
+};
+
+/// Turns the detections of an image into directions. Which of them are used, `options` say as for
+/// `lift_detections`, but for their depths, which nobody knows: of two boxes that would be one
+/// object were they equally far the surer one is kept. The deviation is that of the box's middle
+/// (`NodeNoise`, its lengths at 1 m); of a box that the image's border cuts the extent is unknown.
+///
+/// @param detections  any range whose elements fit `detection_traits`
+/// @param camera      of the image the boxes are in, with its size
+/// Throws as `lift_detections`. O(n · kept).
+template <typename Detections>
+BearingSighting sight_bearings(const Detections& detections, const PinholeCamera<>& camera,
+                               const ClassCatalog& catalog, const LiftOptions& options = {}) {
+  using Detected = std::decay_t<decltype(*std::begin(detections))>;
+  static_assert(require_detection<Detected>());
+  using Traits = detection_traits<Detected>;
+  LiftOptions at_one_metre = options;
+  at_one_metre.min_depth = at_one_metre.max_depth = 1.0;
+  const auto lifted = detail::lift_with(
+      detections, [](const auto&, const BoundingBox&) { return std::optional<double>(1.0); }, camera,
+      catalog, at_one_metre);
+  BearingSighting sighting;
+  sighting.dropped = lifted.dropped;
+  sighting.sources = lifted.sources;
+  sighting.view.camera = camera;
+  for (const SemanticNode<>& node : lifted.nodes) {
+    Bearing bearing;
+    bearing.label = node.label;
+    bearing.direction = node.position->normalized();
+    const Eigen::Vector3d across = bearing.direction.unitOrthogonal();
+    bearing.deviation = std::sqrt(across.dot(node.covariance * across)) / node.position->norm();
+    const Eigen::Vector2d half(0.5 * node.size.x() * camera.fx, 0.5 * node.size.y() * camera.fy);
+    const double border = 2.0;  // px
+    const bool whole = camera.width <= 0 || camera.height <= 0 ||
+                       (camera.in_image(*node.pixel - half, border) &&
+                        camera.in_image(*node.pixel + half, border));
+    if (whole) bearing.extent = node.size;
+    bearing.confidence = node.confidence;
+    bearing.appearance = node.appearance;
+    sighting.bearings.push_back(bearing);
+  }
+  const double max_area = options.max_image_share * camera.width * camera.height;
+  for (const Detected& detection : detections) {
+    const BoundingBox box = Traits::box(detection);
+    if (box.is_valid() && Traits::confidence(detection) >= options.min_confidence &&
+        box.area() < max_area) {
+      sighting.view.occluders.push_back({box, 0.0});
+    }
+  }
+  return sighting;
+}
+
+}  // namespace v0
+}  // namespace topobag
