@@ -51,9 +51,9 @@ struct BearingChance {
   double camera_volume = 30.0;  ///< m³ of a room, in which the camera may be
   double near_share = 0.7;      ///< of the revisits whose camera is near the candidate's
   double near_deviation = 0.6;  ///< m, of these along each axis
-  double size_deviation = 0.25;     ///< of ln of the apparent size of one object, seen twice
-  double chance_deviation = 0.6;    ///< the same of two objects of a class
-  double size_outliers = 0.1;       ///< share of the sizes that tell nothing: misread boxes
+  double size_deviation = 0.15;     ///< of ln of the apparent size of one object, seen twice
+  double chance_deviation = 0.5;    ///< the same of two objects of a class
+  double size_outliers = 0.2;       ///< share of the sizes that tell nothing: misread boxes
 
   /// log10 P(bearings, sizes | same place, pose unknown) / P(bearings, sizes | chance). O(n).
   /// @param pairs     at `pose`, at least three

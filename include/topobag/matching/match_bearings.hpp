@@ -133,7 +133,9 @@ class BearingSearch {
       bearings[i] = offered[triple[i]].direction;
     }
     const double deviations = wide * options_.inlier_deviations;
-    for (const Eigen::Isometry3d& T : poses_from_three_bearings(points, bearings)) {
+    const auto &first = offered[triple[0]], &third = offered[triple[2]];
+    const RangeRatio ratio{third.nearest / first.farthest, third.farthest / first.nearest};
+    for (const Eigen::Isometry3d& T : poses_from_three_bearings(points, bearings, ratio)) {
       if (!judge_.is_level(T, 2.0 * deviations)) continue;
       const bool in_range = std::all_of(triple.begin(), triple.end(), [&](std::size_t i) {
         const double range = (offered[i].target - T.translation()).norm();

@@ -20,6 +20,12 @@ inline namespace v0 {
 /// Three points or three directions, in matching order.
 using ThreeVectors = std::array<Eigen::Vector3d, 3>;
 
+/// Of the third point's range to the first one's: where it is known, fewer answers are worked out.
+struct RangeRatio {
+  double least = 1e-3;    ///< positive
+  double greatest = 1e3;  ///< more than `least`
+};
+
 namespace detail {
 
 /// How far away three points of known mutual distances are, seen under known angles.
@@ -34,7 +40,7 @@ class ThreeRanges {
   }
 
   /// All solutions, m, each of three positive ranges.
-  std::vector<Eigen::Vector3d> solutions() const {
+  std::vector<Eigen::Vector3d> solutions(const RangeRatio& ratio) const {
     // Ranges are told by the first: (1, u, v) · s. The three laws of cosines less s² are two
     // conics in u and v, in whose difference u is linear; that put into the second is a quartic.
     const double q = (squared_[0] - squared_[2]) / squared_[1];
@@ -52,8 +58,7 @@ class ThreeRanges {
       }
     }
     std::vector<Eigen::Vector3d> found;
-    const double greatest_ratio = 1e3;  // between two ranges
-    for (const double v : real_roots(p, 1.0 / greatest_ratio, greatest_ratio)) {
+    for (const double v : real_roots(p, ratio.least, ratio.greatest)) {
       const double numerator = n[0] + v * (n[1] + v * n[2]), denominator = d[0] + v * d[1];
       const double right = rest[0] + v * (rest[1] + v * rest[2]);
       if (std::abs(denominator) > 1e-7) {
@@ -137,10 +142,12 @@ inline std::optional<Eigen::Matrix3d> triangle_axes(const ThreeVectors& points) 
 ///
 /// @param points    m, target frame
 /// @param bearings  unit vectors in the camera's frame, parallel to `points`
+/// @param ratio     within which the answers are looked for
 /// Returned are T_target_camera. None for points nearly on a line, for two bearings that are nearly
 /// one, and where no triangle of such sides is seen so. O(1).
 inline std::vector<Eigen::Isometry3d> poses_from_three_bearings(const ThreeVectors& points,
-                                                                const ThreeVectors& bearings) {
+                                                                const ThreeVectors& bearings,
+                                                                const RangeRatio& ratio = {}) {
   std::vector<Eigen::Isometry3d> poses;
   const auto target_axes = detail::triangle_axes(points);
   const double least_angle = 1e-3;  // rad, between two bearings
@@ -148,7 +155,7 @@ inline std::vector<Eigen::Isometry3d> poses_from_three_bearings(const ThreeVecto
     if (!((bearings[i] - bearings[(i + 1) % 3]).norm() > least_angle)) return poses;
   }
   if (!target_axes) return poses;
-  for (const Eigen::Vector3d& ranges : detail::ThreeRanges(points, bearings).solutions()) {
+  for (const Eigen::Vector3d& ranges : detail::ThreeRanges(points, bearings).solutions(ratio)) {
     const ThreeVectors seen{ranges(0) * bearings[0], ranges(1) * bearings[1],
                             ranges(2) * bearings[2]};
     const auto axes = detail::triangle_axes(seen);

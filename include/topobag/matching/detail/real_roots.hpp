@@ -42,7 +42,7 @@ struct Roots {
 };
 
 /// The root of p in [low, high], at whose ends its signs differ and between which p is monotone:
-/// Newton's steps, halving where one would leave the interval.
+/// Newton's steps, halving where one would leave the interval. To twelve digits.
 inline double root_between(const Quartic& p, const Quartic& slope, double low, double high) {
   const bool rising = value_of(p, low) < 0.0;
   double x = 0.5 * (low + high);
@@ -52,7 +52,7 @@ inline double root_between(const Quartic& p, const Quartic& slope, double low, d
     ((y < 0.0) == rising ? low : high) = x;
     double next = x - y / value_of(slope, x);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - x) <= 1e-15 * std::abs(x)) return next;
+    if (std::abs(next - x) <= 1e-12 * std::abs(x)) return next;
     x = next;
   }
   return x;
