@@ -19,6 +19,8 @@ struct BearingOptions {
   std::size_t max_triples = 4000;  ///< of pairs, the rarest classes first, whose poses are tried
   std::size_t max_hypotheses = 24;  ///< poses that are refined: most supporters first
   double max_translation_deviation = 0.3;  ///< m; a pose less certain is degenerate
+  double surplus = 0.5;  ///< decades by which the chance of bearings is bounded too carefully, as
+                         ///< measured, beyond those of `DecisionOptions`
 };
 
 }  // namespace v0

@@ -134,9 +134,9 @@ void find_rivals(const Bag& bag, const Graphs& queries, const RecognitionOptions
 /// The entries that hold most of the bearings' classes are candidates. Each is asked with all
 /// objects that the map has around it (`place_graph`), for four or five bearings find less in one
 /// image's nodes; the pose is in the candidate's camera frame, and its inliers name nodes of that
-/// place. Accepted is at most one, as by `verify_candidates`: the same threshold for the same rate of
-/// false accepts, the same rivals. A decision's calibration is left out: it was learnt of matches
-/// with depth.
+/// place. Of key frames at one spot that look the same way, one is asked. Accepted is at most one,
+/// as by `verify_candidates`: the threshold for the same rate of false accepts, the same rivals. A
+/// decision's calibration is left out: it was learnt of matches with depth.
 ///
 /// @param bag  with `for_each`, `find` and `info`; or a bag with a `view()` that has them
 /// Deterministic. O(entries · classes + max_candidates · (place + triples · pairs)).
@@ -149,6 +149,7 @@ Recognition locate_by_bearings(const Bag& bag, const BearingSighting& query,
                 "a view() that has.");
   const auto map = detail::present_view(bag, 0);
   options.decision.calibration.reset();
+  options.decision.surplus += bearings.surplus;
   Recognition recognition;
   recognition.usable = query.bearings.size() >= (query.gravity ? 3U : 4U);
   if (!recognition.usable) return recognition;
