@@ -57,7 +57,8 @@ TEST_CASE("exact bearings of six objects of a room give the pose of its camera",
     const RelativePose& pose = match.poses.front();
     CHECK(room.error(pose) < 1e-2);
     CHECK(pose.inliers.size() == 6);
-    for (const Correspondence& pair : pose.inliers) CHECK(value(pair.candidate) == value(pair.query));
+    for (const Correspondence& pair : pose.inliers)
+      CHECK(value(pair.candidate) == value(pair.query));
     CHECK(match.triples > 0);
   }
 }

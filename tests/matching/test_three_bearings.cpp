@@ -49,7 +49,8 @@ double worst_bearing(const ThreeSeen& seen, const Eigen::Isometry3d& T_target_ca
 
 }  // namespace
 
-TEST_CASE("three bearings give the true pose, and none that does not see them", "[three_bearings]") {
+TEST_CASE("three bearings give the true pose, and none that does not see them",
+          "[three_bearings]") {
   std::mt19937 random(7);
   std::size_t found = 0, poses = 0;
   const std::size_t rounds = 20000;
@@ -67,7 +68,7 @@ TEST_CASE("three bearings give the true pose, and none that does not see them", 
     if (nearest < 1e-4) ++found;
   }
   CHECK(found + rounds / 1000 >= rounds);  // where two answers nearly meet, both are inexact
-  CHECK(poses > rounds);  // the problem has more than one answer now and then
+  CHECK(poses > rounds);                   // the problem has more than one answer now and then
 }
 
 TEST_CASE("every pose that sees three points so is told", "[three_bearings]") {
@@ -85,17 +86,19 @@ TEST_CASE("every pose that sees three points so is told", "[three_bearings]") {
     for (const double sign1 : {-1.0, 1.0}) {
       for (const double sign2 : {-1.0, 1.0}) {
         double last = std::numeric_limits<double>::quiet_NaN();
-        const double reach = std::min(std::sqrt(squared(0, 1) / (1.0 - cosine(0, 1) * cosine(0, 1))),
-                                      std::sqrt(squared(0, 2) / (1.0 - cosine(0, 2) * cosine(0, 2))));
+        const double reach =
+            std::min(std::sqrt(squared(0, 1) / (1.0 - cosine(0, 1) * cosine(0, 1))),
+                     std::sqrt(squared(0, 2) / (1.0 - cosine(0, 2) * cosine(0, 2))));
         for (double s = 1e-4; s < reach; s += 1e-4 * reach) {
           const auto other = [&](std::size_t j, double sign) {
             const double c = cosine(0, j);
             return s * c + sign * std::sqrt(squared(0, j) - s * s * (1.0 - c * c));
           };
           const double s1 = other(1, sign1), s2 = other(2, sign2);
-          const double error = s1 > 0.0 && s2 > 0.0
-                                   ? s1 * s1 + s2 * s2 - 2.0 * s1 * s2 * cosine(1, 2) - squared(1, 2)
-                                   : std::numeric_limits<double>::quiet_NaN();
+          const double error =
+              s1 > 0.0 && s2 > 0.0
+                  ? s1 * s1 + s2 * s2 - 2.0 * s1 * s2 * cosine(1, 2) - squared(1, 2)
+                  : std::numeric_limits<double>::quiet_NaN();
           if (last * error < 0.0) ++crossings;
           last = error;
         }

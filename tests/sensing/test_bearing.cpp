@@ -29,8 +29,8 @@ TEST_CASE("a bearing points where the box's middle is, at any depth", "[bearing]
     REQUIRE(sighting.bearings.size() == 1);
     const Bearing& bearing = sighting.bearings[0];
     const double z = depth(random);
-    CHECK((z / bearing.direction.z() * bearing.direction -
-           bearing_camera.back_project({x, y}, z)).norm() < 1e-9);
+    CHECK((z / bearing.direction.z() * bearing.direction - bearing_camera.back_project({x, y}, z))
+              .norm() < 1e-9);
     CHECK(bearing.direction.norm() == Approx(1.0));
     CHECK(bearing.extent.x() * z == Approx(40.0 * z / 500.0));
     CHECK(bearing.extent.y() * z == Approx(52.0 * z / 520.0));
@@ -40,10 +40,10 @@ TEST_CASE("a bearing points where the box's middle is, at any depth", "[bearing]
 
 TEST_CASE("of a box that the border cuts the extent is unknown and the middle uncertain",
           "[bearing]") {
-  const auto sighting = sight_bearings(
-      std::vector<Detection>{seen_at("cup", 20.0, 240.0, 60.0, 60.0),
-                             seen_at("cup", 320.0, 240.0, 60.0, 60.0)},
-      bearing_camera, ClassCatalog::coco80());
+  const auto sighting =
+      sight_bearings(std::vector<Detection>{seen_at("cup", 20.0, 240.0, 60.0, 60.0),
+                                            seen_at("cup", 320.0, 240.0, 60.0, 60.0)},
+                     bearing_camera, ClassCatalog::coco80());
   REQUIRE(sighting.bearings.size() == 2);
   CHECK(sighting.bearings[0].extent.isZero());
   CHECK_FALSE(sighting.bearings[1].extent.isZero());
@@ -67,7 +67,7 @@ TEST_CASE("detections are left out as those with depth are, and hide what is beh
 TEST_CASE("a class that the catalog does not know is no bearing", "[bearing]") {
   Detection detection = seen_at("cup", 320.0, 240.0, 60.0, 60.0);
   detection.label = ClassId{80};
-  CHECK_THROWS_AS(sight_bearings(std::vector<Detection>{detection}, bearing_camera,
-                                 ClassCatalog::coco80()),
-                  Error);
+  CHECK_THROWS_AS(
+      sight_bearings(std::vector<Detection>{detection}, bearing_camera, ClassCatalog::coco80()),
+      Error);
 }

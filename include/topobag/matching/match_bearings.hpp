@@ -62,8 +62,8 @@ class BearingSearch {
       return poses[a].score() > poses[b].score();
     });
     for (const std::size_t i : best_first) {
-      const bool seen = std::any_of(
-          match.poses.begin(), match.poses.end(), [&](const RelativePose& better) {
+      const bool seen =
+          std::any_of(match.poses.begin(), match.poses.end(), [&](const RelativePose& better) {
             return !(better.degenerate && !poses[i].degenerate) && is_same(better, poses[i]);
           });
       if (!seen) match.poses.push_back(std::move(poses[i]));
@@ -170,11 +170,11 @@ class BearingSearch {
 /// distinct pose of its camera, best first.
 ///
 /// Three pairs of an object and a bearing of its class propose up to four poses each (P3P; on
-/// objects: Zins, Simon, Berger, OA-SLAM, ISMAR 2022); what the boxes' sizes tell of ranges, and the
-/// vertical where both know it, leaves most of them out. Each pose gathers the bearings that point
-/// at an object of their class, within the noise of both, is refined over them (Gauss–Newton) and
-/// weighed: `BearingChance`, all ways to choose the pairs counted, whether they were tried or not,
-/// what is missing, and the viewpoint's odds. Deterministic. O(triples · pairs).
+/// objects: Zins, Simon, Berger, OA-SLAM, ISMAR 2022); what the boxes' sizes tell of ranges, and
+/// the vertical where both know it, leaves most of them out. Each pose gathers the bearings that
+/// point at an object of their class, within the noise of both, is refined over them (Gauss–Newton)
+/// and weighed: `BearingChance`, all ways to choose the pairs counted, whether they were tried or
+/// not, what is missing, and the viewpoint's odds. Deterministic. O(triples · pairs).
 template <typename Scalar>
 BearingMatch match_bearings(const TopologyGraph<Scalar>& candidate, const BearingSighting& query,
                             const MatchOptions& options = {},

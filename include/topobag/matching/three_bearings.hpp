@@ -137,8 +137,9 @@ inline std::optional<Eigen::Matrix3d> triangle_axes(const ThreeVectors& points) 
 
 /// Every pose of a camera that sees three points in three directions: at most four.
 ///
-/// The perspective-three-point problem, by Grunert's quartic (1841; Haralick, Lee, Ottenberg, Nölle,
-/// IJCV 1994, compare it with others), its solutions polished by Newton's method on the ranges.
+/// The perspective-three-point problem, by Grunert's quartic (1841; Haralick, Lee, Ottenberg,
+/// Nölle, IJCV 1994, compare it with others), its solutions polished by Newton's method on the
+/// ranges.
 ///
 /// @param points    m, target frame
 /// @param bearings  unit vectors in the camera's frame, parallel to `points`

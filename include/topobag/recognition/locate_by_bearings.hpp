@@ -43,7 +43,8 @@ std::vector<Candidate> candidates_by_classes(const Bag& bag, const BearingSighti
   bag.for_each([&](KeyframeId id, const EntryInfo& info, const typename Bag::Graph& graph) {
     if (!retrieval.admits(id, info)) return;
     ClassCounts held;
-    for (const auto& [label, count] : class_counts(graph.nodes())) held[groups.group(label)] += count;
+    for (const auto& [label, count] : class_counts(graph.nodes()))
+      held[groups.group(label)] += count;
     std::size_t common = 0;
     for (const auto& [group, count] : wanted) {
       const auto here = held.find(group);
@@ -116,8 +117,8 @@ void find_rivals(const Bag& bag, const Graphs& queries, const RecognitionOptions
     for (const PlaceHypothesis& other : hypotheses) {
       if (other.report == i) continue;  // told by `other_poses`
       if (same_place(own, report.id, other, reports[other.report].id, options.place)) continue;
-      const std::size_t elsewhere = objects_put_elsewhere(queries[i], *own.pose, *other.pose,
-                                                          seen_from(own, other, reports));
+      const std::size_t elsewhere =
+          objects_put_elsewhere(queries[i], *own.pose, *other.pose, seen_from(own, other, reports));
       const double lead = lead_to_ask(elsewhere, other.support, options.decision);
       if (other.support <= own.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;
@@ -153,9 +154,8 @@ Recognition locate_by_bearings(const Bag& bag, const BearingSighting& query,
   Recognition recognition;
   recognition.usable = query.bearings.size() >= (query.gravity ? 3U : 4U);
   if (!recognition.usable) return recognition;
-  const auto candidates = detail::candidates_by_classes(*map, query, options.retrieval,
-                                                        options.matching.consistency.classes,
-                                                        options.max_candidates);
+  const auto candidates = detail::candidates_by_classes(
+      *map, query, options.retrieval, options.matching.consistency.classes, options.max_candidates);
   recognition.places = detail::places_of(*map, candidates.size(), 0);
   auto& reports = recognition.candidates;
   using Graph = typename detail::PresentView<Bag>::Graph;

@@ -24,13 +24,13 @@ inline namespace v0 {
 
 /// One object of which only the direction is known: what a lost camera without depth sees.
 struct Bearing {
-  ClassId label{};                                         ///< class
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();    ///< unit vector in the camera's frame
-  double deviation = 0.02;                                 ///< rad; σ about each axis across it
-  Eigen::Vector2d extent = Eigen::Vector2d::Zero();        ///< width and height over the depth:
-                                                           ///< the box in focal lengths; 0 = unknown
-  double confidence = 1.0;                                 ///< detector's score in [0, 1]
-  Appearance appearance{};                                 ///< what it looks like
+  ClassId label{};                                       ///< class
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector in the camera's frame
+  double deviation = 0.02;                               ///< rad; σ about each axis across it
+  Eigen::Vector2d extent = Eigen::Vector2d::Zero();      ///< width and height over the depth:
+                                                         ///< the box in focal lengths; 0 = unknown
+  double confidence = 1.0;                               ///< detector's score in [0, 1]
+  Appearance appearance{};                               ///< what it looks like
 };
 
 /// What one image without depth shows.
@@ -63,23 +63,24 @@ struct BearingLiftOptions {
 
 /// Turns the detections of an image into directions. Which of them are used, `options` say as for
 /// `lift_detections`, but for their depths, which nobody knows: of two boxes that would be one
-/// object were they equally far the surer one is kept. Of a box that the image's border cuts the extent
-/// is unknown.
+/// object were they equally far the surer one is kept. Of a box that the image's border cuts the
+/// extent is unknown.
 ///
 /// @param detections  any range whose elements fit `detection_traits`
 /// @param camera      of the image the boxes are in, with its size
 /// Throws as `lift_detections`. O(n · kept).
 template <typename Detections>
 BearingSighting sight_bearings(const Detections& detections, const PinholeCamera<>& camera,
-                               const ClassCatalog& catalog, const BearingLiftOptions& options = {}) {
+                               const ClassCatalog& catalog,
+                               const BearingLiftOptions& options = {}) {
   using Detected = std::decay_t<decltype(*std::begin(detections))>;
   static_assert(require_detection<Detected>());
   using Traits = detection_traits<Detected>;
   LiftOptions at_one_metre = options.lifting;
   at_one_metre.min_depth = at_one_metre.max_depth = 1.0;
   const auto lifted = detail::lift_with(
-      detections, [](const auto&, const BoundingBox&) { return std::optional<double>(1.0); }, camera,
-      catalog, at_one_metre);
+      detections, [](const auto&, const BoundingBox&) { return std::optional<double>(1.0); },
+      camera, catalog, at_one_metre);
   BearingSighting sighting;
   sighting.dropped = lifted.dropped;
   sighting.sources = lifted.sources;

@@ -145,8 +145,9 @@ class BearingJudge {
       const auto& node = node_of(pair);
       const Bearing& bearing = query_.bearings[value(pair.pair.query)];
       if (node.label != bearing.label) {
-        other += options.chance.confusion ? options.chance.confusion->cost(node.label, bearing.label)
-                                          : options.chance.relabeling;
+        other += options.chance.confusion
+                     ? options.chance.confusion->cost(node.label, bearing.label)
+                     : options.chance.relabeling;
       }
       looks += options.chance.appearance.log10_odds(node.appearance, bearing.appearance);
     }
@@ -157,10 +158,9 @@ class BearingJudge {
     pose.degenerate = pose.spread < options.min_spread ||
                       shift > bearing_options_.max_translation_deviation ||
                       pose.rotation_deviation() > options.max_rotation_deviation;
-    pose.significance =
-        bearing_options_.chance.log10_bayes_factor(seen, unmatched(pose.inliers, in_view),
-                                                   settled.pose, vertical_) -
-        other;
+    pose.significance = bearing_options_.chance.log10_bayes_factor(
+                            seen, unmatched(pose.inliers, in_view), settled.pose, vertical_) -
+                        other;
     if (looks != 0.0) pose.significance += options.chance.appearance.log10_odds_together(looks);
     if (!std::isfinite(pose.significance)) {
       pose.significance = std::numeric_limits<double>::lowest();
@@ -227,8 +227,8 @@ class BearingJudge {
     for (int i = 0; i < options_.refine.iterations; ++i) {
       const Eigen::Isometry3d last = T;
       T = refined_motion(T, points_at(T, pairs), one_step, vertical_);
-      const double moved = (T.translation() - last.translation()).norm() +
-                           (T.linear() - last.linear()).norm();
+      const double moved =
+          (T.translation() - last.translation()).norm() + (T.linear() - last.linear()).norm();
       if (moved < options_.refine.tolerance) break;
     }
     return T;

@@ -34,16 +34,16 @@ inline std::optional<double> log_depth_by_size(const Eigen::Vector2d& size,
 /// An object of a map and a bearing that may be of it.
 struct OfferedBearing {
   Correspondence pair;
-  Eigen::Vector3d target;             ///< m, map's frame
-  Eigen::Matrix3d target_covariance;  ///< m²
-  double size = 0.0;                  ///< m, of the object; 0 = unknown
-  Eigen::Vector3d direction;          ///< unit vector, camera's frame
-  double deviation = 0.0;             ///< rad
-  std::optional<double> log_depth;    ///< ln of the depth in m that the sizes tell
+  Eigen::Vector3d target;                ///< m, map's frame
+  Eigen::Matrix3d target_covariance;     ///< m²
+  double size = 0.0;                     ///< m, of the object; 0 = unknown
+  Eigen::Vector3d direction;             ///< unit vector, camera's frame
+  double deviation = 0.0;                ///< rad
+  std::optional<double> log_depth;       ///< ln of the depth in m that the sizes tell
   double nearest = 0.0, farthest = 0.0;  ///< m, how far away the object may be
 
-  /// The same as two points: what it says of a pose, to first order. The bearing's is as far away as
-  /// the pose has the object, and open along the ray.
+  /// The same as two points: what it says of a pose, to first order. The bearing's is as far away
+  /// as the pose has the object, and open along the ray.
   template <typename Pose>
   PointPair at(const Pose& T_target_camera) const {
     const double open = 100.0;  // m
