@@ -234,23 +234,6 @@ class BearingJudge {
     return T;
   }
 
-  /// What a pair shows under a pose, as angles.
-  static BearingPair bearing_pair(const OfferedBearing& pair, const Eigen::Isometry3d& T) {
-    const PointPair points = pair.at(T);
-    const Eigen::Vector3d ray = T.linear() * pair.direction;
-    Eigen::Matrix<double, 3, 2> across;
-    across.col(0) = ray.unitOrthogonal();
-    across.col(1) = ray.cross(across.col(0));
-    const double range = points.source.norm();
-    BearingPair seen;
-    seen.direction = pair.direction;
-    seen.covariance = across.transpose() * points.covariance(T) * across / (range * range);
-    seen.squared_deviation = points.squared_deviation(T);
-    const double depth = (T.inverse() * pair.target).z();
-    if (pair.log_depth && depth > 0.0) seen.size_ratio = *pair.log_depth - std::log(depth);
-    return seen;
-  }
-
   const TopologyGraph<Scalar>& candidate_;
   const BearingSighting& query_;
   const MatchOptions& options_;

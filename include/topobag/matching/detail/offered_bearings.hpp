@@ -10,8 +10,10 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/bearing_chance.hpp>
 #include <topobag/matching/bearing_options.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
@@ -74,6 +76,23 @@ struct OfferedBearing {
             size * direction};
   }
 };
+
+/// What a pair shows under a pose, as angles.
+inline BearingPair bearing_pair(const OfferedBearing& pair, const Eigen::Isometry3d& T) {
+  const PointPair points = pair.at(T);
+  const Eigen::Vector3d ray = T.linear() * pair.direction;
+  Eigen::Matrix<double, 3, 2> across;
+  across.col(0) = ray.unitOrthogonal();
+  across.col(1) = ray.cross(across.col(0));
+  const double range = points.source.norm();
+  BearingPair seen;
+  seen.direction = pair.direction;
+  seen.covariance = across.transpose() * points.covariance(T) * across / (range * range);
+  seen.squared_deviation = points.squared_deviation(T);
+  const double depth = (T.inverse() * pair.target).z();
+  if (pair.log_depth && depth > 0.0) seen.size_ratio = *pair.log_depth - std::log(depth);
+  return seen;
+}
 
 /// Whether two pairs can hold at once: somewhere within their ranges the two rays are as far apart
 /// as the two objects, give or take `tolerance` m.
