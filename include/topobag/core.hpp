@@ -50,6 +50,8 @@
 #include <topobag/graph/view.hpp>
 #include <topobag/matching/appearance_counts.hpp>
 #include <topobag/matching/appearance_model.hpp>
+#include <topobag/matching/bearing_chance.hpp>
+#include <topobag/matching/bearing_options.hpp>
 #include <topobag/matching/chance_model.hpp>
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
@@ -61,16 +63,19 @@
 #include <topobag/matching/learn_appearance.hpp>
 #include <topobag/matching/learn_confusion.hpp>
 #include <topobag/matching/learn_sizes.hpp>
+#include <topobag/matching/match_bearings.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/matching/match_nodes.hpp>
 #include <topobag/matching/match_options.hpp>
 #include <topobag/matching/missing_objects.hpp>
 #include <topobag/matching/point_pair.hpp>
+#include <topobag/matching/ranged_bearings.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/matching/shared_vertical.hpp>
 #include <topobag/matching/size_prior.hpp>
+#include <topobag/matching/three_bearings.hpp>
 #include <topobag/matching/usual_size_spreads.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/platform.hpp>
@@ -84,6 +89,7 @@
 #include <topobag/recognition/explain.hpp>
 #include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/false_scores.hpp>
+#include <topobag/recognition/locate_by_bearings.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/recognition/map_alignment.hpp>
 #include <topobag/recognition/null_model.hpp>
@@ -97,6 +103,7 @@
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
 #include <topobag/recognition/why.hpp>
+#include <topobag/sensing/bearing.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
