@@ -100,8 +100,10 @@ void measure_rates(PostgresServer& server, const Versions& versions, std::size_t
     std::string bytes;
     for (std::size_t turn = 0; turn < turns; ++turn) {
       const std::string conninfo = fleet_base(server);
-      server.sql("CREATE TABLE bare (LIKE topobag.version);"
-                 "CREATE TABLE indexed (LIKE topobag.version INCLUDING INDEXES)", conninfo);
+      server.sql(
+          "CREATE TABLE bare (LIKE topobag.version);"
+          "CREATE TABLE indexed (LIKE topobag.version INCLUDING INDEXES)",
+          conninfo);
       push.push_back(pushed(conninfo, versions, robots, batch));
       bare.push_back(copied(conninfo, "bare", batch));
       indexed.push_back(copied(conninfo, "indexed", batch));
@@ -109,14 +111,16 @@ void measure_rates(PostgresServer& server, const Versions& versions, std::size_t
       of_indexed.push_back(push.back() / indexed.back());
       bytes = server.sql(
           "SELECT sum(pg_total_relation_size(relid)) / (SELECT count(*) FROM topobag.version)"
-          " FROM pg_partition_tree('topobag.version')", conninfo);
+          " FROM pg_partition_tree('topobag.version')",
+          conninfo);
     }
-    std::printf("{\"bench\":\"fleet_push\",\"robots\":%zu,\"batch\":%zu,\"versions\":%zu,"
-                "\"turns\":%zu,\"push_per_s\":%.0f,\"copy_per_s\":%.0f,"
-                "\"copy_indexed_per_s\":%.0f,\"push_of_copy\":%.2f,"
-                "\"push_of_copy_indexed\":%.2f,\"bytes_per_row\":%s}\n",
-                robots, batch, versions.size(), turns, median(push), median(bare), median(indexed),
-                median(of_bare), median(of_indexed), bytes.substr(0, bytes.find('.')).c_str());
+    std::printf(
+        "{\"bench\":\"fleet_push\",\"robots\":%zu,\"batch\":%zu,\"versions\":%zu,"
+        "\"turns\":%zu,\"push_per_s\":%.0f,\"copy_per_s\":%.0f,"
+        "\"copy_indexed_per_s\":%.0f,\"push_of_copy\":%.2f,"
+        "\"push_of_copy_indexed\":%.2f,\"bytes_per_row\":%s}\n",
+        robots, batch, versions.size(), turns, median(push), median(bare), median(indexed),
+        median(of_bare), median(of_indexed), bytes.substr(0, bytes.find('.')).c_str());
     std::fflush(stdout);
   }
 }
@@ -167,12 +171,13 @@ void measure_catch_up(const std::string& conninfo) {
   const double took = seconds_since(start);
   const double own = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
   const topobag::MemoryUsage memory = fleet.view()->memory_usage();
-  std::printf("{\"bench\":\"fleet_catch_up\",\"versions\":%.0f,\"seconds\":%.2f,"
-              "\"processor_seconds\":%.2f,\"per_s\":%.0f,\"bag_bytes_per_keyframe\":%.0f,"
-              "\"resident_bytes_per_keyframe\":%.0f}\n",
-              taken, took, own, taken / took,
-              static_cast<double>(memory.graphs + memory.index + memory.entries) / taken,
-              (resident() - before) / taken);
+  std::printf(
+      "{\"bench\":\"fleet_catch_up\",\"versions\":%.0f,\"seconds\":%.2f,"
+      "\"processor_seconds\":%.2f,\"per_s\":%.0f,\"bag_bytes_per_keyframe\":%.0f,"
+      "\"resident_bytes_per_keyframe\":%.0f}\n",
+      taken, took, own, taken / took,
+      static_cast<double>(memory.graphs + memory.index + memory.entries) / taken,
+      (resident() - before) / taken);
   std::fflush(stdout);
 }
 
@@ -204,10 +209,11 @@ void measure_sites(PostgresServer& server, Versions versions, std::size_t batch,
   const auto start = Clock::now();
   server.sql("REINDEX TABLE topobag.site_" + server.sql("SELECT md5('hall')"), conninfo);
   const double reindexed = seconds_since(start);
-  std::printf("{\"bench\":\"fleet_sites\",\"sites\":%zu,\"versions\":%.0f,"
-              "\"bytes_per_row\":%.0f,\"first_push_per_s\":%.0f,\"last_push_per_s\":%.0f,"
-              "\"reindex_site_seconds\":%.1f}\n",
-              sites + 1, rows, bytes / rows, first_push, last_push, reindexed);
+  std::printf(
+      "{\"bench\":\"fleet_sites\",\"sites\":%zu,\"versions\":%.0f,"
+      "\"bytes_per_row\":%.0f,\"first_push_per_s\":%.0f,\"last_push_per_s\":%.0f,"
+      "\"reindex_site_seconds\":%.1f}\n",
+      sites + 1, rows, bytes / rows, first_push, last_push, reindexed);
   std::fflush(stdout);
   versions = {};
   measure_catch_up(conninfo);

@@ -31,7 +31,8 @@ bool is_fleet_address(const std::string& text) {
 
 FleetAddress parse_fleet_address(const std::string& text) {
   if (!is_fleet_address(text)) {
-    throw InputError(text, "it is no server's address, as postgresql://USER@HOST/BASE?site=NAME is");
+    throw InputError(text,
+                     "it is no server's address, as postgresql://USER@HOST/BASE?site=NAME is");
   }
   const std::size_t question = text.find('?');
   const std::string base = text.substr(0, question);

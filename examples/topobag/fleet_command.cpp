@@ -26,8 +26,9 @@ using Arguments = std::shared_ptr<FleetArguments>;
 CLI::App& add_part(CLI::App& fleet, const Arguments& arguments, const std::string& name,
                    const std::string& description) {
   CLI::App& part = *fleet.add_subcommand(name, description);
-  part.add_option("address", arguments->address,
-                  "postgresql://HOST/BASE?site=NAME; more sites by another site=, a robot by robot=")
+  part.add_option(
+          "address", arguments->address,
+          "postgresql://HOST/BASE?site=NAME; more sites by another site=, a robot by robot=")
       ->required();
   return part;
 }
@@ -68,8 +69,9 @@ void add_fleet_command(CLI::App& app) {
     std::cout << push_to_fleet(address, given.map) << " versions of " << given.map << " added\n";
   });
 
-  CLI::App& follow = add_part(fleet, arguments, "follow", "Keeps the sites' key frames in memory "
-                                                          "and tells how many there are");
+  CLI::App& follow = add_part(fleet, arguments, "follow",
+                              "Keeps the sites' key frames in memory "
+                              "and tells how many there are");
   follow.add_option("--seconds", arguments->seconds, "For so long [for ever]")
       ->check(number_within(0.0));
   add_classes_option(follow, arguments->classes);

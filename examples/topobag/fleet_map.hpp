@@ -14,8 +14,8 @@
 #include "fleet_address.hpp"
 #include "saved_map.hpp"
 
-// What the program asks a fleet's servers. Each call throws topobag::Error, and InputError where the
-// program was built without libpq.
+// What the program asks a fleet's servers. Each call throws topobag::Error, and InputError where
+// the program was built without libpq.
 namespace program {
 
 /// The key frames of the address' sites, by site, robot, session and number.

@@ -43,9 +43,10 @@ void add_map_command(CLI::App& app) {
   command.add_option("--nodes", arguments->nodes, "Table: NODES.frames.csv, NODES.nodes.csv")
       ->required();
   command
-      .add_option("--out", arguments->out,
-                  "Map to write: FILE.db for a durable one on SQLite, postgresql://…?site=NAME for a "
-                  "fleet's, else a snapshot")
+      .add_option(
+          "--out", arguments->out,
+          "Map to write: FILE.db for a durable one on SQLite, postgresql://…?site=NAME for a "
+          "fleet's, else a snapshot")
       ->required();
   command.add_option("--session", arguments->session,
                      "Name of the run [that of the table]; not for a snapshot");

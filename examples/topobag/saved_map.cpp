@@ -146,8 +146,9 @@ bool is_saved_map(const std::string& path) {
 
 void require_sqlite_map(const std::string& path) {
   if (kind_of(path) == MapKind::sqlite) return;
-  throw InputError(path, "it is a snapshot, which no robot goes on with; `topobag map --out FILE.db` "
-                         "makes an SQLite map");
+  throw InputError(path,
+                   "it is a snapshot, which no robot goes on with; `topobag map --out FILE.db` "
+                   "makes an SQLite map");
 }
 
 SavedMap read_saved_map(const std::string& path, const topobag::ClassCatalog& catalog) {

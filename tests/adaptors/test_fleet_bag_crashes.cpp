@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <chrono>
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -101,9 +101,8 @@ void kill_them(unsigned rounds) {
       survivor.emplace(std::vector<FleetSource>{{conninfo, {"hall"}}});
       acknowledged = 0;
     }
-    ChildProcess robot([&](const auto& tell) {
-      push_for_ever(folder->path("map.db"), conninfo, graphs, tell);
-    });
+    ChildProcess robot(
+        [&](const auto& tell) { push_for_ever(folder->path("map.db"), conninfo, graphs, tell); });
     ChildProcess follower([&](const auto& tell) { follow_for_ever(conninfo, graphs, tell); });
     if (round % 2 == 0) acknowledged = robot.told().value();  // however slow the machine
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
@@ -125,8 +124,9 @@ void kill_them(unsigned rounds) {
       followed = std::max(followed, *told);
     }
     // When the server has ended what the killed had begun, its rows are final.
-    server.sql("SELECT pg_terminate_backend(pid, 10000) FROM pg_stat_activity WHERE"
-               " pid <> pg_backend_pid() AND backend_type = 'client backend'");
+    server.sql(
+        "SELECT pg_terminate_backend(pid, 10000) FROM pg_stat_activity WHERE"
+        " pid <> pg_backend_pid() AND backend_type = 'client backend'");
     const std::uint64_t rows =
         std::stoull(server.sql("SELECT count(*) FROM topobag.version", conninfo));
     REQUIRE(rows >= acknowledged);
@@ -147,6 +147,7 @@ TEST_CASE("a kill loses no acknowledged key frame and doubles none", "[fleet]") 
   if (PostgresServer::is_installed()) kill_them(6);
 }
 
-TEST_CASE("300 kills of a robot and of a follower, with the server's, lose and double nothing", "[fleet][long]") {
+TEST_CASE("300 kills of a robot and of a follower, with the server's, lose and double nothing",
+          "[fleet][long]") {
   if (PostgresServer::is_installed()) kill_them(long_rounds(300));
 }

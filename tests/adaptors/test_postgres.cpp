@@ -21,8 +21,9 @@ TEST_CASE("versions are read in the order of their transactions, page by page", 
   store.add_site("hall", 0);
   std::vector<FleetVersion> versions;
   for (std::uint64_t i = 0; i < 10; ++i) {
-    versions.push_back(version_of({"hall", Uuid{1}, Uuid{static_cast<std::uint8_t>(i % 2)}, KeyframeId{i}},
-                                  {}, random_graph(random, 4)));
+    versions.push_back(
+        version_of({"hall", Uuid{1}, Uuid{static_cast<std::uint8_t>(i % 2)}, KeyframeId{i}}, {},
+                   random_graph(random, 4)));
     versions.back().seq = static_cast<std::int64_t>(i) + 1;
   }
   CHECK(store.append({versions.begin() + 6, versions.end()}) == 4);
@@ -57,8 +58,8 @@ TEST_CASE("a batch that contradicts the server adds nothing", "[postgres]") {
   store.prepare();
   store.add_site("hall", 0);
   const auto version = [&](std::int64_t seq) {
-    FleetVersion made = version_of({"hall", Uuid{1}, Uuid{2}, KeyframeId{7}}, {},
-                                   random_graph(random, 5));
+    FleetVersion made =
+        version_of({"hall", Uuid{1}, Uuid{2}, KeyframeId{7}}, {}, random_graph(random, 5));
     made.seq = seq;
     return made;
   };

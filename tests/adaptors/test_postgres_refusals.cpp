@@ -20,7 +20,7 @@ namespace {
 
 /// A version of a key frame as a robot would push it.
 FleetVersion pushed_version(std::mt19937& random, const std::string& site, const Uuid& robot,
-                        std::int64_t seq) {
+                            std::int64_t seq) {
   FleetVersion version;
   version.key = {site, robot, Uuid{1}, KeyframeId{static_cast<std::uint64_t>(seq)}};
   version.seq = seq;
@@ -64,8 +64,10 @@ TEST_CASE("a robot adds its own key frames alone, a reader none", "[postgres]") 
   const std::string says = "may not add key frames of robot";
   CHECK(holds(error_text([&] { robot.append({pushed_version(random, "hall", other, 2)}); }), says));
   CHECK(holds(error_text([&] { robot.append({pushed_version(random, "yard", mine, 2)}); }), says));
-  CHECK(holds(error_text([&] { robot.append({pushed_version(random, "hall", mine, 2),
-                                             pushed_version(random, "hall", other, 3)}); }),
+  CHECK(holds(error_text([&] {
+                robot.append({pushed_version(random, "hall", mine, 2),
+                              pushed_version(random, "hall", other, 3)});
+              }),
               says));
   PostgresStore reader(for_user(conninfo, "bob"));
   CHECK(holds(error_text([&] { reader.append({pushed_version(random, "hall", mine, 2)}); }), says));
@@ -142,7 +144,8 @@ TEST_CASE("other classes, other schemas and copies of a map are refused", "[post
   // A damaged row harms no other.
   shared_postgres().sql(
       "ALTER TABLE topobag.version DISABLE TRIGGER append_only;"
-      "UPDATE topobag.version SET graph = '\\x00'", conninfo);
+      "UPDATE topobag.version SET graph = '\\x00'",
+      conninfo);
   another = pushed_version(random, "hall", Uuid{3}, 2);
   another.catalog = 77;
   store.append({another});
@@ -191,15 +194,14 @@ TEST_CASE("a link that is cut, silent or lies changes nothing and doubles nothin
   SimulatedRobot robot(folder.path(), "hall", 0);
   for (int i = 0; i < 40; ++i) robot.add(random, random_graph(random, 6));
   PostgresProxy proxy(shared_postgres().data());
-  const std::string through =
-      "host=" + proxy.folder() + conninfo.substr(conninfo.find(" user="));
+  const std::string through = "host=" + proxy.folder() + conninfo.substr(conninfo.find(" user="));
   const auto silence = std::chrono::milliseconds(300);
   FleetOptions options;
   options.silence = silence;
   FleetBag fleet({{through, {"hall"}}}, options);
   std::size_t failures = 0;
-  for (const auto fault : {PostgresProxy::Fault::cut, PostgresProxy::Fault::garbage,
-                           PostgresProxy::Fault::silence}) {
+  for (const auto fault :
+       {PostgresProxy::Fault::cut, PostgresProxy::Fault::garbage, PostgresProxy::Fault::silence}) {
     const bool silent = fault == PostgresProxy::Fault::silence;  // which takes its time
     for (int round = 0; round < (silent ? 2 : 9); ++round) {
       robot.add(random, random_graph(random, 6));

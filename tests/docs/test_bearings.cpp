@@ -47,7 +47,8 @@ TEST_CASE("a camera without depth finds itself in a map with it", "[docs]") {
     CHECK(T_candidate_query.covariance.diagonal().minCoeff() > 0.0);
   };
   const BearingSighting seen = sight_bearings(detections, camera, ClassCatalog::coco80());
-  const Recognition found = locate_by_bearings(map, seen, recognition_options(ClassCatalog::coco80()));
+  const Recognition found =
+      locate_by_bearings(map, seen, recognition_options(ClassCatalog::coco80()));
   if (found) use(found.accepted->id, found.accepted->pose->with_covariance());
   CHECK(used == 1);
 }

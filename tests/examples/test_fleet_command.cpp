@@ -127,8 +127,8 @@ TEST_CASE("a robot pushes its map, and a follower of the program's tells of it",
   const std::string denied =
       refusal("fleet push --map " + other + " " + base.address("site=hall", "c3po"));
   CHECK(denied.find("the owner admits it with `topobag fleet admit`") != std::string::npos);
-  CHECK(refusal(push + base.address("site=yard")).find("it is the map of robot " + robot +
-                                                       " at site 'hall'") != std::string::npos);
+  CHECK(refusal(push + base.address("site=yard"))
+            .find("it is the map of robot " + robot + " at site 'hall'") != std::string::npos);
   CHECK(base.sql("SELECT count(*) FROM topobag.version") == "128");
 }
 
@@ -194,12 +194,11 @@ TEST_CASE("likely mistakes with a fleet are told in a sentence", "[examples][fle
   CHECK(base.sql("SELECT count(*) FROM topobag.version") == "0");
 
   // None of it has made the map another's: it still goes where it belongs. Then other classes.
-  CHECK(fleet_output("fleet push --map " + map + " " + hall) == "67 versions of " + map +
-                                                                    " added\n");
+  CHECK(fleet_output("fleet push --map " + map + " " + hall) ==
+        "67 versions of " + map + " added\n");
   CHECK(refusal("info " + hall + " --classes " + folder.path("own.txt"))
             .find("its class numbers mean other names than yours") != std::string::npos);
-  fleet_output("fleet init " + base.address("site=depot") + " --classes " +
-               folder.path("own.txt"));
+  fleet_output("fleet init " + base.address("site=depot") + " --classes " + folder.path("own.txt"));
   CHECK(refusal(to_server + base.address("site=depot")).find("make the map with those") !=
         std::string::npos);
   const std::string unreachable =

@@ -48,7 +48,7 @@ TEST_CASE("a camera without depth is found in the room where it is", "[locate_by
     const Eigen::Isometry3d T_world_camera =
         *map.info(accepted.id)->T_world_camera * accepted.pose->T_candidate_query;
     const Eigen::Isometry3d truth = room_by_bearings(i % 5) * T_room_camera;
-    INFO("look-up " << i);
+    INFO("query " << i);
     CHECK((T_world_camera.translation() - truth.translation()).norm() < 0.3);
     CHECK(accepted.score() >= accepted.threshold);
     CHECK(accepted.verdict == Verdict::accepted);

@@ -88,8 +88,8 @@ TEST_CASE("a place is the same whether the bag tells its region or is queried", 
     const auto neighbors = [&](const auto& of_bag) {
       std::vector<Eigen::Vector3d> stands;
       const auto known = bag.info(KeyframeId{1});
-      for (const auto& neighbor : detail::neighbors_by_pose(
-               of_bag, KeyframeId{1}, *known, here, query, retrieval, options)) {
+      for (const auto& neighbor : detail::neighbors_by_pose(of_bag, KeyframeId{1}, *known, here,
+                                                            query, retrieval, options)) {
         stands.push_back(neighbor.T_candidate_neighbor.translation());
       }
       return stands;

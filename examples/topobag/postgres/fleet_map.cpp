@@ -90,8 +90,7 @@ void extend_fleet_map(const std::string& text, const std::string& session,
   const topobag::Uuid run = topobag::random_uuid();
   std::vector<topobag::FleetVersion> versions;
   entries.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info, const auto& graph) {
-    topobag::FleetVersion version =
-        topobag::version_of({site, robot, run, id}, info, graph);
+    topobag::FleetVersion version = topobag::version_of({site, robot, run, id}, info, graph);
     version.seq = static_cast<std::int64_t>(versions.size()) + 1;
     version.run = session;
     version.catalog = topobag::fingerprint(catalog);

@@ -35,7 +35,7 @@ namespace detail {
 template <typename Bag>
 std::vector<Candidate> candidates_by_classes(const Bag& bag, const BearingSighting& query,
                                              const QueryOptions& retrieval,
-                                             const ClassGroups& groups, std::size_t max_results) {
+                                             const ClassGroups& groups) {
   const double same_translation = 0.5, same_rotation = 0.25;  // m and rad
   ClassCounts wanted;
   for (const Bearing& bearing : query.bearings) ++wanted[groups.group(bearing.label)];
@@ -58,7 +58,7 @@ std::vector<Candidate> candidates_by_classes(const Bag& bag, const BearingSighti
   std::vector<Candidate> kept;
   std::vector<Eigen::Isometry3d> cameras;
   for (const Candidate& candidate : candidates) {
-    if (kept.size() == max_results) break;
+    if (kept.size() == retrieval.max_results) break;
     if (const auto info = stored_info(bag, candidate.id, 0); info && info->T_world_camera) {
       const Eigen::Isometry3d& T = *info->T_world_camera;
       const bool known = std::any_of(cameras.begin(), cameras.end(), [&](const auto& other) {
@@ -83,7 +83,7 @@ CandidateReport bearings_report(const Bag& bag, const Candidate& candidate,
                                 std::size_t places) {
   CandidateReport report;
   report.id = candidate.id;
-  report.similarity = candidate.score;
+  report.similarity = candidate.similarity;
   report.places = places;
   report.threshold = options.decision.threshold(places);
   BearingMatch match = match_bearings(place, query, options.matching, bearings);
@@ -140,7 +140,7 @@ void find_rivals(const Bag& bag, const Graphs& queries, const RecognitionOptions
 /// decision's calibration is left out: it was learnt of matches with depth.
 ///
 /// @param bag  with `for_each`, `find` and `info`; or a bag with a `view()` that has them
-/// Deterministic. O(entries · classes + max_candidates · (place + triples · pairs)).
+/// Deterministic. O(entries · classes + candidates · (place + triples · pairs)).
 template <typename Bag>
 Recognition locate_by_bearings(const Bag& bag, const BearingSighting& query,
                                RecognitionOptions options = {},
@@ -154,8 +154,8 @@ Recognition locate_by_bearings(const Bag& bag, const BearingSighting& query,
   Recognition recognition;
   recognition.usable = query.bearings.size() >= (query.gravity ? 3U : 4U);
   if (!recognition.usable) return recognition;
-  const auto candidates = detail::candidates_by_classes(
-      *map, query, options.retrieval, options.matching.consistency.classes, options.max_candidates);
+  const auto candidates = detail::candidates_by_classes(*map, query, options.retrieval,
+                                                        options.matching.consistency.classes);
   recognition.places = detail::places_of(*map, candidates.size(), 0);
   auto& reports = recognition.candidates;
   using Graph = typename detail::PresentView<Bag>::Graph;
@@ -182,7 +182,7 @@ Recognition locate_by_bearings(const Bag& bag, const BearingSighting& query,
   for (CandidateReport& report : reports) {
     if (report.verdict != Verdict::accepted) continue;
     if (recognition.accepted) {
-      report.verdict = Verdict::outdone;
+      report.verdict = Verdict::not_best;
     } else {
       recognition.accepted = report;
     }

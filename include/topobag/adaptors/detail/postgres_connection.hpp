@@ -48,7 +48,8 @@ class PostgresConnection {
     name_ = "PostgreSQL at " + part(PQhost(get())) + ", port " + part(PQport(get())) +
             ", data base " + part(PQdb(get()));
     if (PQstatus(get()) != CONNECTION_OK) lose(said());
-    PQsetNoticeProcessor(get(), [](void*, const char*) {}, nullptr);  // stderr is the program's
+    PQsetNoticeProcessor(
+        get(), [](void*, const char*) {}, nullptr);  // stderr is the program's
     PQsetnonblocking(get(), 1);
     // What a follower has seen must outlive the server's crash; names mean PostgreSQL's own.
     run("SELECT set_config('search_path', 'pg_catalog', false), set_config('synchronous_commit',"

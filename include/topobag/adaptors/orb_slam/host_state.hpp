@@ -25,8 +25,8 @@ using GravityOfHost = std::function<std::optional<Gravity<>>(KeyFrame&)>;
 
 /// What the host says of a key frame at one moment.
 struct HostKeyFrameState {
-  bool is_readable = false;  ///< its pose is a rigid motion, and asking threw nothing
-  bool is_bad = false;       ///< culled
+  bool is_readable = false;   ///< its pose is a rigid motion, and asking threw nothing
+  bool is_bad = false;        ///< culled
   const void* map = nullptr;  ///< of several; null for hosts with one alone
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< its pose
   std::optional<Gravity<>> gravity;  ///< nothing: the host does not know

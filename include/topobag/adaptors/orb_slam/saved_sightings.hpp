@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include <topobag/bag/detail/bit_reader.hpp>
-#include <topobag/bag/detail/bit_writer.hpp>
-#include <topobag/bag/detail/crc32.hpp>
-#include <topobag/bag/detail/entry_record.hpp>
+#include <topobag/bag/detail/codec/bit_reader.hpp>
+#include <topobag/bag/detail/codec/bit_writer.hpp>
+#include <topobag/bag/detail/storage/crc32.hpp>
+#include <topobag/bag/detail/storage/entry_record.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/keyframe_sighting.hpp>

@@ -10,7 +10,7 @@
 
 #include <topobag/adaptors/orb_slam/saved_sightings.hpp>
 #include <topobag/bag/atomic_file.hpp>
-#include <topobag/bag/detail/file_bytes.hpp>
+#include <topobag/bag/detail/storage/file_bytes.hpp>
 #include <topobag/bag/snapshot_file.hpp>
 
 namespace topobag {
