@@ -37,6 +37,7 @@
 #include <topobag/error.hpp>
 #include <topobag/fast_math.hpp>
 #include <topobag/fwd.hpp>
+#include <topobag/graph/bearing.hpp>
 #include <topobag/graph/correlation_matrix.hpp>
 #include <topobag/graph/gravity.hpp>
 #include <topobag/graph/keyframe_sighting.hpp>
@@ -103,7 +104,6 @@
 #include <topobag/recognition/verdict.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
 #include <topobag/recognition/why.hpp>
-#include <topobag/sensing/bearing.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_sampling.hpp>

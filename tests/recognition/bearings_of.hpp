@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/graph/bearing.hpp>
 #include <topobag/graph/topology_graph.hpp>
-#include <topobag/sensing/bearing.hpp>
 
 /// What a camera without depth sees of a graph's nodes: their directions and how large they look.
 /// @param noise  rad about each axis, and half of it again of the logarithm of a size

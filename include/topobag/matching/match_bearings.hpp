@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/graph/bearing.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/bearing_options.hpp>
 #include <topobag/matching/detail/bearing_judge.hpp>
@@ -21,7 +22,6 @@
 #include <topobag/matching/match_options.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/three_bearings.hpp>
-#include <topobag/sensing/bearing.hpp>
 
 namespace topobag {
 inline namespace v0 {

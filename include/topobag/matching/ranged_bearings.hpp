@@ -10,10 +10,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <topobag/graph/bearing.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/relative_pose.hpp>
-#include <topobag/sensing/bearing.hpp>
 
 namespace topobag {
 inline namespace v0 {

@@ -14,6 +14,7 @@
 #include <topobag/bag/detail/present_view.hpp>
 #include <topobag/bag/place_contents.hpp>
 #include <topobag/bag/query.hpp>
+#include <topobag/graph/bearing.hpp>
 #include <topobag/matching/match_bearings.hpp>
 #include <topobag/matching/ranged_bearings.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
@@ -23,7 +24,6 @@
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
-#include <topobag/sensing/bearing.hpp>
 
 namespace topobag {
 inline namespace v0 {

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <topobag/graph/bearing.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/bearing_chance.hpp>
 #include <topobag/matching/bearing_options.hpp>
@@ -23,7 +24,6 @@
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/matching/shared_vertical.hpp>
-#include <topobag/sensing/bearing.hpp>
 
 namespace topobag {
 inline namespace v0 {

@@ -12,13 +12,13 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <topobag/graph/bearing.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/bearing_chance.hpp>
 #include <topobag/matching/bearing_options.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/point_pair.hpp>
-#include <topobag/sensing/bearing.hpp>
 #include <topobag/sensing/node_noise.hpp>
 
 namespace topobag {

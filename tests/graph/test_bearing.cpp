@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include <topobag/sensing/bearing.hpp>
+#include <topobag/graph/bearing.hpp>
 
 #include "catch.hpp"
 
