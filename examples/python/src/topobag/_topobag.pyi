@@ -53,6 +53,8 @@ class ClassCatalog:
 class AppearanceKind:
     def __eq__(self, arg0: AppearanceKind) -> bool: ...
     def __init__(self, name: str, length: int) -> None: ...
+    @staticmethod
+    def color() -> AppearanceKind: ...
     @property
     def length(self) -> int: ...
     @property
@@ -448,7 +450,7 @@ class LocalGraphOptions:
     window: float
 
 class PlaceOptions:
-    def __init__(self, max_hypotheses: int = ..., max_rivals: int = ..., min_score: float = ..., distinct_translation: float = ..., distinct_rotation: float = ..., min_id_gap: int = ..., max_keyframes: int = ..., radius: float = ..., turn_weight: float = ..., max_neighbors: int = ..., max_contradiction: float = ..., margin: float = ..., max_depth: float = ..., fusing: LocalGraphOptions = ...) -> None: ...
+    def __init__(self, max_hypotheses: int = ..., max_rivals: int = ..., min_score: float = ..., distinct_translation: float = ..., distinct_rotation: float = ..., min_id_gap: int = ..., max_keyframes: int = ..., radius: float = ..., turn_weight: float = ..., spacing: float = ..., max_neighbors: int = ..., max_contradiction: float = ..., margin: float = ..., max_depth: float = ..., fusing: LocalGraphOptions = ...) -> None: ...
     distinct_rotation: float
     distinct_translation: float
     fusing: LocalGraphOptions
@@ -462,6 +464,7 @@ class PlaceOptions:
     min_id_gap: int
     min_score: float
     radius: float
+    spacing: float
     turn_weight: float
 
 class MatchOptions:
@@ -789,6 +792,8 @@ class CandidateReport:
     def matched(self) -> dict[int, int]: ...
     @property
     def other_poses(self) -> list[RelativePose]: ...
+    @property
+    def place_share(self) -> float: ...
     @property
     def place_support(self) -> Optional[float]: ...
     @property
