@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <topobag/bag/snapshot_file.hpp>
+#include <topobag/sensing/color_descriptor.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
 
 #include "bag/careless_bag.hpp"
@@ -108,6 +109,34 @@ TEST_CASE("the file of format 1 loads for ever", "[bag][snapshot]") {
   CHECK(bag.find(KeyframeId{8})->empty());
   CHECK_FALSE(bag.info(KeyframeId{8})->stamp);
   CHECK(bag.contains(KeyframeId{~std::uint64_t{0}}));
+}
+
+TEST_CASE("the file of format 2 loads for ever, and is written again byte for byte",
+          "[bag][snapshot]") {
+  const std::string path = TOPOBAG_SOURCES "/tests/bag/frozen/v2.bag";
+  CHECK(inspect(path).codec_version == 2);
+  const Bag bag = load(path, fingerprint(ClassCatalog::coco80()));
+  REQUIRE(bag.size() == 4);
+  std::size_t described = 0;
+  bag.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
+    REQUIRE(graph.gravity());
+    // The world's z is up, and the deviation is that of an accelerometer.
+    const Eigen::Vector3d down = info.T_world_camera->linear() * graph.gravity()->down;
+    CHECK(down.z() < -0.999);
+    CHECK(graph.gravity()->deviation == Approx(0.0175).epsilon(0.05));
+    CHECK(graph.appearance_kind() == ColorDescriptor::kind);
+    REQUIRE(graph.views().size() == 1);
+    REQUIRE(graph.views()[0].depth);
+    const auto& levels = graph.views()[0].depth->levels();
+    for (std::size_t i = 0; i < levels.size(); ++i) CHECK(levels[i] == (7 * i + value(id)) % 40);
+    for (const auto& node : graph.nodes()) described += node.appearance.known() ? 1U : 0U;
+  });
+  CHECK(described == 18);
+  SaveOptions options;
+  options.catalog_fingerprint = fingerprint(ClassCatalog::coco80());
+  const std::string written = saved(bag, options), frozen = content_of(path);
+  CHECK(written.substr(16, 24) == frozen.substr(16, 24));  // beside the library's own version
+  CHECK(written.substr(44) == frozen.substr(44));
 }
 
 TEST_CASE("a bag without gravity is written as format 1 was, byte for byte",
