@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -18,6 +17,7 @@
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/bearing_options.hpp>
 #include <topobag/matching/detail/bearing_judge.hpp>
+#include <topobag/matching/detail/distinct_poses.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/matching/match_options.hpp>
 #include <topobag/matching/relative_pose.hpp>
@@ -56,18 +56,7 @@ class BearingSearch {
     }
     std::vector<RelativePose> poses;
     for (const auto& pose : settled) poses.push_back(judge_.weigh(pose));
-    std::vector<std::size_t> best_first(poses.size());
-    std::iota(best_first.begin(), best_first.end(), std::size_t{0});
-    std::stable_sort(best_first.begin(), best_first.end(), [&](std::size_t a, std::size_t b) {
-      return poses[a].score() > poses[b].score();
-    });
-    for (const std::size_t i : best_first) {
-      const bool seen =
-          std::any_of(match.poses.begin(), match.poses.end(), [&](const RelativePose& better) {
-            return !(better.degenerate && !poses[i].degenerate) && is_same(better, poses[i]);
-          });
-      if (!seen) match.poses.push_back(std::move(poses[i]));
-    }
+    match.poses = distinct_poses(std::move(poses), options_);
     return match;
   }
 
@@ -151,12 +140,6 @@ class BearingSearch {
         known->second.deviation2 = deviation2;
       }
     }
-  }
-
-  bool is_same(const RelativePose& a, const RelativePose& b) const {
-    const Eigen::Isometry3d between = a.T_candidate_query.inverse() * b.T_candidate_query;
-    return between.translation().norm() <= options_.distinct_translation &&
-           Eigen::AngleAxisd(between.linear()).angle() <= options_.distinct_rotation;
   }
 
   const MatchOptions& options_;

@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/consistency_graph.hpp>
 #include <topobag/matching/detail/clique_search.hpp>
+#include <topobag/matching/detail/distinct_poses.hpp>
 #include <topobag/matching/detail/pose_judge.hpp>
 #include <topobag/matching/match_nodes.hpp>
 #include <topobag/matching/match_options.hpp>
@@ -77,31 +75,11 @@ class PoseSearch {
     std::vector<RelativePose> poses;
     poses.reserve(settled.size());
     for (const auto& pose : settled) poses.push_back(judge_.weigh(pose));
-    // Positions are sorted, not poses: stable_sort's buffer is not aligned for AVX's matrices.
-    std::vector<std::size_t> best_first(poses.size());
-    std::iota(best_first.begin(), best_first.end(), std::size_t{0});
-    std::stable_sort(best_first.begin(), best_first.end(), [&](std::size_t a, std::size_t b) {
-      return poses[a].score() > poses[b].score();
-    });
-    for (const std::size_t i : best_first) {
-      const bool seen =
-          std::any_of(match.poses.begin(), match.poses.end(),
-                      [&](const RelativePose& better) { return stands_for(better, poses[i]); });
-      if (!seen) match.poses.push_back(std::move(poses[i]));
-    }
+    match.poses = distinct_poses(std::move(poses), options_);
     return match;
   }
 
  private:
-  /// Whether a pose need not be told beside a better one: they are the same, and the better one is
-  /// no less determined.
-  bool stands_for(const RelativePose& better, const RelativePose& pose) const {
-    if (better.degenerate && !pose.degenerate) return false;
-    const Eigen::Isometry3d between = better.T_candidate_query.inverse() * pose.T_candidate_query;
-    return between.translation().norm() <= options_.distinct_translation &&
-           Eigen::AngleAxisd(between.linear()).angle() <= options_.distinct_rotation;
-  }
-
   const MatchOptions& options_;
   ConsistencyGraph graph_;
   PoseJudge<Scalar> judge_;  ///< refers to `graph_`

@@ -179,14 +179,7 @@ Recognition locate_by_bearings(const Bag& bag, const BearingSighting& query,
     if (a.margin() != b.margin()) return a.margin() > b.margin();
     return a.id < b.id;
   });
-  for (CandidateReport& report : reports) {
-    if (report.verdict != Verdict::accepted) continue;
-    if (recognition.accepted) {
-      report.verdict = Verdict::not_best;
-    } else {
-      recognition.accepted = report;
-    }
-  }
+  detail::accept_best(recognition);
   return recognition;
 }
 

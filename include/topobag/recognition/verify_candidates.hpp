@@ -78,6 +78,24 @@ Verdict judge_candidate(const CandidateReport& report, const Graph& query,
   return report.rival ? Verdict::rivalled : Verdict::accepted;
 }
 
+/// Accepts the first report that passed every stage, with the pose over its place if there is one;
+/// the others that passed are not the best.
+template <typename Answer>
+void accept_best(Answer& recognition) {
+  for (auto& report : recognition.candidates) {
+    if (report.verdict != Verdict::accepted) continue;
+    if (recognition.accepted) {
+      report.verdict = Verdict::not_best;
+      continue;
+    }
+    recognition.accepted = report;
+    if (report.place_pose) {
+      recognition.accepted->pose->T_candidate_query = report.place_pose->T_target_source;
+      recognition.accepted->pose->covariance = report.place_pose->covariance;
+    }
+  }
+}
+
 /// What matching says of a candidate.
 /// @param places  of the whole bag
 template <typename Bag>
@@ -164,18 +182,7 @@ Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query
     if (a.margin() != b.margin()) return a.margin() > b.margin();
     return a.id < b.id;
   });
-  for (CandidateReport& report : reports) {
-    if (report.verdict != Verdict::accepted) continue;
-    if (recognition.accepted) {
-      report.verdict = Verdict::not_best;
-    } else {
-      recognition.accepted = report;
-      if (report.place_pose) {
-        recognition.accepted->pose->T_candidate_query = report.place_pose->T_target_source;
-        recognition.accepted->pose->covariance = report.place_pose->covariance;
-      }
-    }
-  }
+  detail::accept_best(recognition);
   return recognition;
 }
 
