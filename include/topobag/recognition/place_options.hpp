@@ -24,9 +24,9 @@ struct PlaceOptions {
   std::size_t max_keyframes = 12;  ///< that are fused with the candidate: the nearest to the query
   /// m around the query's camera, where the world's poses are known.
   double radius = default_sensor.place_radius;
-  double turn_weight = 1.0;  ///< m that a turn of one rad counts for in "nearest", and in
-  /// m between those of one session that are fused: nearer ones, as of every image, show the same,
-  /// errors and all, and say nothing of what is around.
+  double turn_weight = 1.0;  ///< m that a turn of one rad counts for, in "nearest" and in `spacing`
+  /// m; of key frames of one session that stand and look nearer to each other than this, as in a
+  /// map of every image, one is fused: they show the same, errors and all.
   double spacing = 0.1;
   std::size_t max_neighbors = 3;   ///< without poses: ids before and after the candidate's
   double max_contradiction = 4.0;  ///< decades by which a place may speak against its key frame:
