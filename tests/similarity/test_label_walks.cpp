@@ -38,3 +38,16 @@ TEST_CASE("the probabilities of all strings of one length sum to 1", "[similarit
     }
   }
 }
+
+TEST_CASE("walks that are too long to be listed are refused, not walked",
+          "[similarity][regression]") {
+  std::mt19937 random(3);
+  const TopologyGraph<> graph = random_graph(random, 3, 2);
+  LabelWalks similarity;
+  for (const std::size_t length : {std::size_t{0}, LabelWalks::max_length + 1, ~std::size_t{0}}) {
+    similarity.length = length;
+    CHECK_THROWS_AS(similarity.descriptor(graph), InvalidValue);
+  }
+  similarity.length = LabelWalks::max_length;
+  CHECK(similarity(graph, graph) == Approx(1.0));
+}

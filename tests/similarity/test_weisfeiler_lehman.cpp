@@ -33,3 +33,12 @@ TEST_CASE("a second iteration sees what lies two edges away", "[similarity]") {
   similarity.iterations = 2;
   CHECK(similarity(path, triangle_and_path) < 0.99);
 }
+
+TEST_CASE("no more iterations are counted than there is room for", "[similarity][regression]") {
+  const auto graph = graph_of({node_at(1), node_at(2)}, {{0, 1}});
+  WeisfeilerLehman similarity;
+  similarity.iterations = WeisfeilerLehman::max_iterations;
+  CHECK(similarity(graph, graph) == Approx(1.0));
+  similarity.iterations = ~std::size_t{0};
+  CHECK_THROWS_AS(similarity.descriptor(graph), InvalidValue);
+}

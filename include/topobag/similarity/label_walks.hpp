@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/similarity/class_weights.hpp>
 #include <topobag/similarity/detail/histogram_word.hpp>
@@ -25,11 +27,18 @@ inline namespace v0 {
 /// edges and classes, neither pixels nor lengths. Descriptor O(n · degree^(length − 1)); similarity
 /// O(n k) cosines and the assignment, O(n³) at worst.
 struct LabelWalks {
-  std::size_t length = 3;  ///< nodes of a walk, its start included; ≥ 1
+  static constexpr std::size_t max_length = 16;  ///< beyond it walks are more than can be listed
+
+  std::size_t length = 3;  ///< nodes of a walk, its start included; 1 to `max_length`
   ClassWeights weights{};  ///< of the classes
 
+  /// Throws InvalidValue for a length out of range.
   template <typename Scalar>
   NodeHistograms descriptor(const TopologyGraph<Scalar>& graph) const {
+    if (length < 1 || length > max_length) {
+      throw InvalidValue("walks of " + std::to_string(length) + " nodes; 1 to " +
+                         std::to_string(max_length) + " can be listed");
+    }
     const Walker<Scalar> walker{graph, detail::neighbors(graph), length};
     std::vector<std::pair<ClassId, SparseHistogram>> nodes;
     for (std::size_t i = 0; i < graph.size(); ++i) {

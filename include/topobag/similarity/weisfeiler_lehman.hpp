@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/similarity/detail/histogram_word.hpp>
 #include <topobag/similarity/detail/neighbors.hpp>
@@ -22,10 +24,18 @@ inline namespace v0 {
 /// Uses edges and classes, neither pixels nor lengths. Descriptor O(iterations · m log n);
 /// similarity O(iterations · (n + k)).
 struct WeisfeilerLehman {
+  static constexpr std::size_t max_iterations = 1000;  ///< each takes room for all nodes
+
   std::size_t iterations = 1;  ///< 0 gives the class counts alone
 
+  /// Throws InvalidValue for more than `max_iterations`.
   template <typename Scalar>
   SparseHistogram descriptor(const TopologyGraph<Scalar>& graph) const {
+    if (iterations > max_iterations) {
+      throw InvalidValue(std::to_string(iterations) +
+                         " iterations over a graph's labels; at most " +
+                         std::to_string(max_iterations) + " are counted");
+    }
     const auto neighbors = detail::neighbors(graph);
     std::vector<std::uint64_t> labels;
     for (const auto& node : graph.nodes()) labels.push_back(detail::histogram_word(node.label));
