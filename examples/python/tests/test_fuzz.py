@@ -8,6 +8,7 @@ import os
 import re
 
 import numpy as np
+import pytest
 import topobag
 from conftest import FR1, random_graph, random_nodes
 
@@ -123,3 +124,17 @@ def test_random_calls_do_no_harm():
             refused[type(error).__name__] = refused.get(type(error).__name__, 0) + 1
     print(returned, refused)
     assert returned > CALLS / 20 and refused["TypeError"] > 0
+
+
+def test_what_random_calls_once_broke():
+    """Walks that overran the stack, and a width of no bin that ended the process."""
+    graph = random_graph(np.random.default_rng(SEED), 5)
+    for similarity in (
+        topobag.LabelWalks(length=2**40),
+        topobag.WeisfeilerLehman(iterations=2**40),
+        topobag.ClassPairDistanceHistogram(bin_width=0.0),
+        topobag.ClassPairDistanceHistogram(max_distance=np.inf),
+        topobag.SemanticSubgraph(bin_width=-1.0),
+    ):
+        with pytest.raises(ValueError):
+            similarity(graph, graph)

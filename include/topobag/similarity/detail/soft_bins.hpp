@@ -20,9 +20,9 @@ struct SoftBin {
 
 /// The two bins, centred on multiples of `width`, between which a vote at `distance` ≥ 0 is
 /// interpolated linearly. Distances beyond `max_distance` count as equal to it.
-/// Precondition: width > 0, 0 <= max_distance < 2³² widths.
-inline std::array<SoftBin, 2> soft_bins(double distance, double width,
-                                        double max_distance) noexcept {
+/// Precondition: width > 0, 0 <= max_distance < 2³² widths; where that is an exception, it gets
+/// out.
+inline std::array<SoftBin, 2> soft_bins(double distance, double width, double max_distance) {
   TOPOBAG_ASSERT(width > 0.0 && max_distance >= 0.0 && max_distance < 0x1p32 * width);
   const double place = std::min(distance, max_distance) / width;
   const auto bin = static_cast<std::int64_t>(place);  // the floor, as place >= 0
