@@ -4,45 +4,22 @@
 #include <memory>
 #include <optional>
 #include <random>
-#include <set>
 #include <vector>
 
 #include <topobag/adaptors/orb_slam.hpp>
 
-#include "adaptors/small_host.hpp"
+#include "adaptors/atlas_host.hpp"
 #include "catch.hpp"
 
 using namespace topobag;
 
 namespace {
 
-/// The names of an ORB-SLAM3: several maps, poses as Sophus has them.
-struct Map {
-  bool bad = false;
-  bool IsBad() const { return bad; }
-};
-
-struct MappedKeyFrame {
-  unsigned long mnId;
-  double mTimeStamp;
-  Eigen::Isometry3d T_world_camera;
-  Map* map;
-  bool bad = false;
-
-  bool isBad() const { return bad; }
-  Map* GetMap() const { return map; }
-  Eigen::Isometry3f GetPoseInverse() const {
-    return Eigen::Isometry3f(T_world_camera.cast<float>());
-  }
-  std::set<MappedKeyFrame*> GetConnectedKeyFrames() const { return {}; }
-};
-
-struct Frame {
-  Eigen::Isometry3d T_world_camera;
-};
-
-using Database = OrbSlamDatabase<MappedKeyFrame, Frame, Map>;
-using Pointers = std::vector<MappedKeyFrame*>;
+using atlas_host::Database;
+using atlas_host::Frame;
+using atlas_host::Map;
+using atlas_host::Pointers;
+using MappedKeyFrame = atlas_host::KeyFrame;
 
 }  // namespace
 
