@@ -76,6 +76,7 @@
 #include <topobag/matching/rigid_fit.hpp>
 #include <topobag/matching/shared_vertical.hpp>
 #include <topobag/matching/size_prior.hpp>
+#include <topobag/matching/size_prior_text.hpp>
 #include <topobag/matching/three_bearings.hpp>
 #include <topobag/matching/usual_size_spreads.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>

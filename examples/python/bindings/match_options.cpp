@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <string>
+
 #include <topobag/graph/local_graph_options.hpp>
 #include <topobag/matching/match_options.hpp>
+#include <topobag/matching/size_prior_text.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 
 #include "fields.hpp"
@@ -19,7 +22,13 @@ void bind_chance(py::module_& module) {
       .field("deviation", &SizePrior::deviation)
       .field("outliers", &SizePrior::outliers)
       .field("spread", &SizePrior::spread)
-      .field("classes", &SizePrior::classes);
+      .field("classes", &SizePrior::classes)
+      .def(
+          "to_text", [](const SizePrior& p) { return topobag::to_string(p); },
+          "As a text, from which `from_text` makes the same one.")
+      .def_static(
+          "from_text", [](const std::string& text) { return parse_size_prior(text); },
+          py::arg("text"), doc("parse_size_prior"));
   Fields<ChanceModel>(module, "ChanceModel")
       .field("fill", &ChanceModel::fill)
       .field("min_extent", &ChanceModel::min_extent)

@@ -62,7 +62,9 @@ void bind_queries(py::module_& module) {
       .field("graphs", &MemoryUsage::graphs)
       .field("index", &MemoryUsage::index)
       .field("entries", &MemoryUsage::entries)
-      .def("total", &MemoryUsage::total, doc("MemoryUsage.total"));
+      .field("nodes", &MemoryUsage::nodes)
+      .def("total", &MemoryUsage::total, doc("MemoryUsage.total"))
+      .def("bytes_per_node", &MemoryUsage::bytes_per_node, doc("MemoryUsage.bytes_per_node"));
 }
 
 }  // namespace python

@@ -143,4 +143,6 @@ def test_an_indexed_bag_merges_and_compacts(random):
     a.compact()
     result = a.search(random_graph(random), max_visited=1)
     assert result.entries == 10 and result.visited <= 10
-    assert a.memory_usage().total() > 0
+    usage = a.memory_usage()
+    assert usage.nodes == sum(len(a[id]) for id in a)
+    assert usage.bytes_per_node() == usage.total() / usage.nodes > 0

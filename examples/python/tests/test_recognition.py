@@ -112,6 +112,14 @@ def test_a_calibration_learns_and_keeps(sample, relocalizer):
         topobag.Calibration.from_text("what")
 
 
+def test_what_sizes_say_is_kept_as_text():
+    prior = topobag.recognition_options(topobag.ClassCatalog.coco80()).matching.chance.sizes
+    again = topobag.SizePrior.from_text(prior.to_text())
+    assert again.to_text() == prior.to_text() and again.classes.keys() == prior.classes.keys() != set()
+    with pytest.raises(topobag.FormatError):
+        topobag.SizePrior.from_text("what")
+
+
 def test_matches_that_agree_add_up(sample, relocalizer, found):
     policy = topobag.TemporalConsistency(topobag.TemporalOptions(min_matches=2))
     believed = previous = None

@@ -92,8 +92,7 @@ class BasicBagView {
     for (const auto& [id, place] : places) visit(id, parts_.info(place), graph_at(place));
   }
 
-  /// Bytes of what this view holds; much of it may be shared with others. O(n) when there are
-  /// labels, else O(segments).
+  /// Bytes of what this view holds; much of it may be shared with others. O(n).
   MemoryUsage memory_usage() const {
     MemoryUsage usage;
     for (const detail::SealedPart& part : *parts_.sealed) {
@@ -105,6 +104,9 @@ class BasicBagView {
     for (std::size_t slot = 0; slot < parts_.head_size; ++slot) {
       usage.graphs += (*parts_.head)[slot].graph.capacity();
     }
+    parts_.for_each([&](detail::EntryPlace place) {
+      usage.nodes += detail::node_count(parts_.entry(place).graph);
+    });
     if (parts_.head) {
       usage.entries += detail::HeadBlock::capacity * sizeof(detail::HeadBlock::Entry);
     }

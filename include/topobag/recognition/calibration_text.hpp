@@ -1,87 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <topobag/error.hpp>
 #include <topobag/recognition/calibration.hpp>
+#include <topobag/types/detail/value_lines.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
 namespace detail {
 
-inline constexpr std::string_view calibration_title = "topobag calibration ";
 inline constexpr std::size_t calibration_version = 2;  // the latest; 1 has no appearance
-
-/// The shortest text that reads back as the same number, whatever the locale.
-template <typename Number>
-std::string exact_text(Number number) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
-}
-
-/// A calibration's text, line by line.
-class CalibrationLines {
- public:
-  explicit CalibrationLines(std::string_view text) : text_(text) {}
-
-  /// Throws FormatError: the line and the sentence; `index()` is the line's number, from 1.
-  [[noreturn]] void fail(const std::string& sentence) const {
-    throw FormatError("calibration, line " + std::to_string(number_) + ": " + sentence, number_);
-  }
-
-  /// The next line, which must be whole.
-  std::string_view next() {
-    ++number_;
-    const std::size_t end = text_.find('\n');
-    if (end == std::string_view::npos) fail("the text is cut off.");
-    std::string_view line = text_.substr(0, end);
-    text_.remove_prefix(end + 1);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    return line;
-  }
-
-  /// What stands behind `key` and a blank on the next line.
-  std::string_view behind(std::string_view key) {
-    const std::string_view line = next();
-    if (line.substr(0, key.size()) != key || line.substr(key.size(), 1) != " ") {
-      fail("'" + std::string(key) + "' and its value are missing.");
-    }
-    return line.substr(key.size() + 1);
-  }
-
-  /// The whole of `text` as a number.
-  template <typename Number>
-  Number number(std::string_view text) const {
-    Number number{};
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (status != std::errc{} || end != text.data() + text.size()) {
-      fail("'" + std::string(text) + "' is not a number that fits here.");
-    }
-    return number;
-  }
-
-  /// Throws unless all was read.
-  void require_end() {
-    if (text_.empty()) return;
-    ++number_;
-    fail("something stands behind the end.");
-  }
-
- private:
-  std::string_view text_;
-  std::size_t number_ = 0;
-};
 
 inline void append_scores(std::string& text, const std::string& key, const FalseScores& scores) {
   text += key + "_look_ups " + exact_text(scores.size()) + '\n';
@@ -89,7 +26,7 @@ inline void append_scores(std::string& text, const std::string& key, const False
   for (const double score : scores.scores()) text += exact_text(score) + '\n';
 }
 
-inline FalseScores read_scores(CalibrationLines& lines, const std::string& key) {
+inline FalseScores read_scores(ValueLines& lines, const std::string& key) {
   const auto queries = lines.number<std::size_t>(lines.behind(key + "_look_ups"));
   const auto count = lines.number<std::size_t>(lines.behind(key + "_scores"));
   std::vector<double> scores;  // not reserved: the count is a claim
@@ -110,7 +47,7 @@ inline void append_appearance(std::string& text, const AppearanceModel& model) {
   }
 }
 
-inline AppearanceModel read_appearance(CalibrationLines& lines) {
+inline AppearanceModel read_appearance(ValueLines& lines) {
   const auto kind = lines.number<std::uint32_t>(lines.behind("appearance_kind"));
   const auto length = lines.number<std::size_t>(lines.behind("appearance_length"));
   const auto count = lines.number<std::size_t>(lines.behind("appearance_points"));
@@ -129,20 +66,6 @@ inline AppearanceModel read_appearance(CalibrationLines& lines) {
   return model;
 }
 
-/// The version of the text.
-inline std::size_t read_version(CalibrationLines& lines, std::string_view text) {
-  if (text.substr(0, calibration_title.size()) != calibration_title) {
-    throw FormatError("calibration, line 1: this is no calibration.", 1);
-  }
-  const auto version = lines.number<std::size_t>(lines.next().substr(calibration_title.size()));
-  if (version > calibration_version) {
-    lines.fail("it is of version " + std::to_string(version) + ", later than this library's, " +
-               std::to_string(calibration_version) + '.');
-  }
-  if (version == 0) lines.fail("there is no such version.");
-  return version;
-}
-
 }  // namespace detail
 
 /// A calibration as text, a value on each line: its version, the least that holds it, what it goes
@@ -150,8 +73,8 @@ inline std::size_t read_version(CalibrationLines& lines, std::string_view text) 
 /// `parse_calibration` turns it back into the same one, to the last bit; no locale has a say. O(n).
 inline std::string to_string(const Calibration& calibration) {
   const CalibrationOptions& options = calibration.options();
-  std::string text(detail::calibration_title);
-  text += calibration.appearance() ? "2\n" : "1\n";
+  std::string text =
+      calibration.appearance() ? "topobag calibration 2\n" : "topobag calibration 1\n";
   text += "source " + std::string(to_string(calibration.source())) + '\n';
   text += "min_negatives " + detail::exact_text(options.min_negatives) + '\n';
   text += "prior " + detail::exact_text(options.prior) + '\n';
@@ -167,8 +90,8 @@ inline std::string to_string(const Calibration& calibration) {
 /// for one that is none, cut off, damaged so that it contradicts itself, or of a later version.
 /// O(n log n).
 inline Calibration parse_calibration(std::string_view text) {
-  detail::CalibrationLines lines(text);
-  const std::size_t version = detail::read_version(lines, text);
+  detail::ValueLines lines("calibration", text);
+  const std::size_t version = lines.version(detail::calibration_version);
   const std::string source(lines.behind("source"));
   CalibrationOptions options;
   options.min_negatives = lines.number<std::size_t>(lines.behind("min_negatives"));

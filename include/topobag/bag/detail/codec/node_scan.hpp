@@ -54,6 +54,13 @@ class TrustedBits {
   std::size_t at_ = 0;  ///< bit
 };
 
+/// How many nodes an encoded graph has. @param bytes  as those of `NodeScan`. O(1).
+inline std::size_t node_count(const std::uint8_t* bytes) noexcept {
+  TrustedBits bits(bytes);
+  get_header(bits);
+  return static_cast<std::size_t>(bits.get_number());
+}
+
 /// What the retrieval needs of a node.
 struct ScannedNode {
   ClassId label{};
