@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,6 +22,7 @@
 #include <topobag/similarity/padded_cosine.hpp>
 
 #include "keyframe_graphs.hpp"
+#include "pair_times.hpp"
 
 namespace {
 
@@ -104,63 +104,59 @@ double plain_padded_cosine(const Graph& p, const Graph& q) {
   return sum / static_cast<double>(std::max(W_p.rows(), W_q.rows()));
 }
 
-double share(std::vector<double> values, double quantile) {
-  const auto at = static_cast<std::ptrdiff_t>(quantile * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
-
-/// Times of `call(candidate, query)` in µs for up to `max_pairs` pairs, evenly spread over all.
-template <typename Call>
-std::vector<double> times_of(const std::vector<Graph>& map, const std::vector<Graph>& queries,
-                             std::size_t max_pairs, Call&& call) {
-  const std::size_t all = map.size() * queries.size();
-  if (all == 0) throw std::runtime_error("no key frame has that many objects with a depth");
-  const std::size_t step = std::max<std::size_t>(1, (all + max_pairs - 1) / max_pairs);
-  std::vector<double> times;
-  for (std::size_t i = 0; i < all; i += step) {
-    double least = 0.0;
-    for (int repeat = 0; repeat < 3; ++repeat) {
-      const auto start = std::chrono::steady_clock::now();
-      call(map[i % map.size()], queries[i / map.size()]);
-      const std::chrono::duration<double, std::micro> elapsed =
-          std::chrono::steady_clock::now() - start;
-      if (repeat == 0 || elapsed.count() < least) least = elapsed.count();
-    }
-    times.push_back(least);
-  }
-  return times;
-}
-
-double print(const char* what, std::size_t nodes, const std::vector<double>& times) {
-  const double median = share(times, 0.5);
-  const double mean =
-      std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
-  std::printf("%-38s %5zu %7zu %10.2f %10.2f %10.2f\n", what, nodes, times.size(), median,
-              share(times, 0.99), mean);
-  std::printf(
-      "{\"bench\":\"matching\",\"what\":\"%s\",\"nodes\":%zu,\"pairs\":%zu,\"median_us\":%.3f,"
-      "\"p99_us\":%.3f,\"mean_us\":%.3f}\n",
-      what, nodes, times.size(), median, share(times, 0.99), mean);
-  return median;
-}
-
 struct Tables {
   std::string map = TOPOBAG_SAMPLE "/fr1_xyz";
   std::string query = TOPOBAG_SAMPLE "/fr1_rpy";
   program::KeyframeOptions options{{517.3, 516.5, 318.6, 255.3, 640, 480}, 0.4, 3.0, 0.1};
 };
 
+/// The same graphs, of whose objects nobody knows what they look like.
+std::vector<Graph> without_looks(const std::vector<Graph>& graphs) {
+  std::vector<Graph> stripped;
+  for (const Graph& graph : graphs) {
+    std::vector<topobag::SemanticNode<>> nodes = graph.nodes();
+    for (auto& node : nodes) node.appearance = {};
+    stripped.emplace_back(std::move(nodes), graph.edges(), graph.views());
+  }
+  return stripped;
+}
+
+/// The share of the objects of which it is known what they look like.
+double known_looks(const std::vector<Graph>& graphs) {
+  std::size_t nodes = 0, known = 0;
+  for (const Graph& graph : graphs) {
+    nodes += graph.size();
+    for (const auto& node : graph.nodes()) known += node.appearance.known() ? 1U : 0U;
+  }
+  return static_cast<double>(known) / static_cast<double>(std::max<std::size_t>(1, nodes));
+}
+
+/// With what the objects look like and without, pair by pair in turn, so that whatever else runs on
+/// the machine meets both.
 void bench_pose(const Tables& tables) {
   const auto map = graphs_of(tables.map, tables.options, 12);
   const auto queries = graphs_of(tables.query, tables.options, 12);
-  std::size_t poses = 0;
-  const auto times = times_of(map, queries, 4000, [&](const Graph& p, const Graph& q) {
-    poses += topobag::match_graphs(p, q).poses.size();
-  });
-  print("match and pose", 12, times);
-  std::printf("# poses per pair: %.2f\n",
-              static_cast<double>(poses) / (3.0 * static_cast<double>(times.size())));
+  const auto plain_map = without_looks(map), plain_queries = without_looks(queries);
+  std::printf("# objects whose looks are known: %.3f\n",
+              0.5 * (known_looks(map) + known_looks(queries)));
+  std::size_t poses = 0, plain_poses = 0;
+  std::vector<double> times, plain_times;
+  for (const auto& [i, k] : bench::spread_pairs(map.size(), queries.size(), 4000)) {
+    plain_times.push_back(bench::least_time([&, i = i, k = k] {
+      plain_poses += topobag::match_graphs(plain_map[i], plain_queries[k]).poses.size();
+    }));
+    times.push_back(bench::least_time(
+        [&, i = i, k = k] { poses += topobag::match_graphs(map[i], queries[k]).poses.size(); }));
+  }
+  const double with = bench::print("match and pose", 12, times);
+  const double without = bench::print("match and pose, no looks", 12, plain_times);
+  const auto calls = 3.0 * static_cast<double>(times.size());
+  std::printf("# poses per pair: %.2f, no looks: %.2f\n", static_cast<double>(poses) / calls,
+              static_cast<double>(plain_poses) / calls);
+  std::printf(
+      "{\"bench\":\"matching\",\"what\":\"match and pose over the same without looks\","
+      "\"ratio_of_medians\":%.3f,\"ratio_of_means\":%.3f}\n",
+      with / without, bench::mean(times) / bench::mean(plain_times));
 }
 
 /// False when the two searches differ.
@@ -169,14 +165,16 @@ bool bench_search(const Tables& tables, bool one_class, std::size_t max_pairs) {
   const auto queries = graphs_of(tables.query, tables.options, 8, one_class);
   std::vector<std::size_t> ours, theirs;
   const std::string classes = one_class ? ", one class" : "";
-  const double fast = print(("match" + classes).c_str(), 8,
-                            times_of(map, queries, max_pairs, [&](const Graph& p, const Graph& q) {
-                              ours.push_back(topobag::match_nodes(p, q).pairs.size());
-                            }));
-  const double slow = print(("exhaustive reference" + classes).c_str(), 8,
-                            times_of(map, queries, max_pairs, [&](const Graph& p, const Graph& q) {
-                              theirs.push_back(ExhaustiveReference(p, q).size());
-                            }));
+  const double fast =
+      bench::print(("match" + classes).c_str(), 8,
+                   bench::times_of(map, queries, max_pairs, [&](const Graph& p, const Graph& q) {
+                     ours.push_back(topobag::match_nodes(p, q).pairs.size());
+                   }));
+  const double slow =
+      bench::print(("exhaustive reference" + classes).c_str(), 8,
+                   bench::times_of(map, queries, max_pairs, [&](const Graph& p, const Graph& q) {
+                     theirs.push_back(ExhaustiveReference(p, q).size());
+                   }));
   std::printf("{\"bench\":\"matching\",\"what\":\"exhaustive over match%s\",\"ratio\":%.1f}\n",
               classes.c_str(), slow / fast);
   return ours == theirs;
@@ -199,12 +197,13 @@ bool bench_padded_cosine(Tables tables) {
       worst = std::max(worst, std::abs(similarity(p, q) - plain_padded_cosine(p, q)));
     }
   }
-  print("padded cosine", 0, times_of(map, queries, 4000, [&](const Graph& p, const Graph& q) {
-          sum += similarity(p, q);
-        }));
-  print("padded cosine, plain formula", 0,
-        times_of(map, queries, 4000,
-                 [&](const Graph& p, const Graph& q) { sum += plain_padded_cosine(p, q); }));
+  bench::print("padded cosine", 0,
+               bench::times_of(map, queries, 4000,
+                               [&](const Graph& p, const Graph& q) { sum += similarity(p, q); }));
+  bench::print("padded cosine, plain formula", 0,
+               bench::times_of(map, queries, 4000, [&](const Graph& p, const Graph& q) {
+                 sum += plain_padded_cosine(p, q);
+               }));
   std::vector<topobag::PaddedCosine::Descriptor> of_map, of_queries;
   for (const Graph& p : map) of_map.push_back(similarity.descriptor(p));
   for (const Graph& q : queries) of_queries.push_back(similarity.descriptor(q));
