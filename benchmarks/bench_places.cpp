@@ -19,12 +19,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+
+#include <topobag/matching/layout_prior_text.hpp>
+#include <topobag/matching/usual_layouts.hpp>
 
 #include "look_up_places.hpp"
 #include "number_check.hpp"
@@ -135,8 +140,17 @@ void print_pool(std::vector<Result> results, bool gravity) {
       recall(margins.beyond_best_false), recall(margins.one_false_in_1000), false_rate);
 }
 
+topobag::LayoutPrior layout_prior(const std::string& file) {
+  if (file == "usual") return topobag::usual_layouts(topobag::ClassCatalog::coco80());
+  std::ifstream stream(file);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (!stream) throw program::InputError(file, "cannot be read");
+  return topobag::parse_layout_prior(text);
+}
+
 /// Looks all runs up; the results do not depend on the number of threads.
-std::vector<Result> results_of(const std::vector<PlaceRun>& runs, unsigned jobs) {
+std::vector<Result> results_of(const std::vector<PlaceRun>& runs,
+                               const topobag::RecognitionOptions& options, unsigned jobs) {
   std::vector<Result> results(runs.size());
   std::vector<std::exception_ptr> failures(runs.size());
   std::atomic<std::size_t> next{0}, done{0};
@@ -144,7 +158,7 @@ std::vector<Result> results_of(const std::vector<PlaceRun>& runs, unsigned jobs)
     for (std::size_t i = next++; i < runs.size(); i = next++) {
       const auto start = std::chrono::steady_clock::now();
       try {
-        results[i] = {runs[i], look_up_places(runs[i]), 0.0};
+        results[i] = {runs[i], look_up_places(runs[i], options), 0.0};
       } catch (...) {
         failures[i] = std::current_exception();
       }
@@ -169,7 +183,7 @@ std::vector<Result> results_of(const std::vector<PlaceRun>& runs, unsigned jobs)
 
 int main(int argc, char** argv) {
   const char* const data = std::getenv("TOPOBAG_DATA");
-  std::string list, shared = data ? data : "", only;
+  std::string list, shared = data ? data : "", only, layouts;
   SharedRunsOptions built_in;
   std::size_t stride = 1;
   unsigned jobs = 1;
@@ -184,6 +198,9 @@ int main(int argc, char** argv) {
   app.add_option("--stride", stride, "every so many queries of every run")
       ->check(program::number_within(1));
   app.add_option("--only", only, "runs whose name has this in it");
+  app.add_option("--layouts", layouts,
+                 "FILE of a layout prior, or usual: what stands alike because it always does earns "
+                 "less");
   app.add_option("--jobs", jobs, "threads, each of which takes a run");
   CLI11_PARSE(app, argc, argv);
   if (list.empty() && shared.empty()) {
@@ -197,7 +214,9 @@ int main(int argc, char** argv) {
       run.stride *= stride;
       runs.push_back(std::move(run));
     }
-    const std::vector<Result> results = results_of(runs, jobs);
+    topobag::RecognitionOptions options = accept_any_score();
+    if (!layouts.empty()) options.matching.chance.layouts = layout_prior(layouts);
+    const std::vector<Result> results = results_of(runs, options, jobs);
     for (const bool gravity : {false, true}) print_pool(results, gravity);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -13,23 +13,27 @@
 #include "place_run.hpp"
 #include "pooled_figures.hpp"
 
-/// The program's options, but that the best answer which passes every other stage is accepted
-/// whatever its score.
+/// By how much less than the default is asked for, so that the best answer which passes every other
+/// stage is accepted whatever its score.
+inline constexpr double any_score = 1e6;
+
+/// The program's options, but that any score will do; what is asked of candidates still differs by
+/// the places that could have given their matches.
 inline topobag::RecognitionOptions accept_any_score() {
   topobag::RecognitionOptions options =
       topobag::recognition_options(topobag::ClassCatalog::coco80());
-  options.decision.min_score = -1e6;
+  options.decision.surplus += any_score;
   return options;
 }
 
-/// What the answer is worth: its margin over the score that the default would have asked for among
-/// the same places, and its truth.
+/// What the answer is worth: its margin over the score that the default would have asked for, and
+/// its truth.
 inline ScoredQuery scored(const topobag::Recognition& found, PlaceKind kind,
                           const std::vector<program::Keyframe>& map,
                           const program::Keyframe& query) {
   ScoredQuery scored;
   if (!found) return scored;
-  scored.margin = found.accepted->score() - topobag::DecisionOptions{}.threshold(found.places);
+  scored.margin = found.accepted->margin() - any_score;
   if (kind == PlaceKind::other) return scored;
   const program::Keyframe& candidate = map[topobag::value(found.accepted->id)];
   scored.truth = topobag::judge(
@@ -67,7 +71,8 @@ inline topobag::EntryInfo info_of(const program::Keyframe& keyframe) {
 
 /// Looks the run's queries up: every `stride`-th key frame of those with enough objects and
 /// something to be looked up among.
-inline std::vector<ScoredQuery> look_up_places(const PlaceRun& run) {
+inline std::vector<ScoredQuery> look_up_places(
+    const PlaceRun& run, const topobag::RecognitionOptions& options = accept_any_score()) {
   const auto map = keyframes_of(run, true);
   std::vector<ScoredQuery> queries;
   std::size_t next = 0;
@@ -78,7 +83,7 @@ inline std::vector<ScoredQuery> look_up_places(const PlaceRun& run) {
     if (!found.candidates.empty()) queries.push_back(scored(found, run.kind, map, query));
   };
   if (run.kind == PlaceKind::loops) {
-    topobag::LoopDetector<> loops({run.min_gap, accept_any_score()});
+    topobag::LoopDetector<> loops({run.min_gap, options});
     for (std::size_t i = 0; i < map.size(); ++i) {
       if (is_due(map[i])) record(loops.detect(map[i].timestamp, map[i].graph), map[i]);
       if (!map[i].graph.is_matchable()) continue;
@@ -86,7 +91,7 @@ inline std::vector<ScoredQuery> look_up_places(const PlaceRun& run) {
     }
     return queries;
   }
-  topobag::Relocalizer<> relocalizer(accept_any_score());
+  topobag::Relocalizer<> relocalizer(options);
   for (std::size_t i = 0; i < map.size(); ++i) {
     if (!map[i].graph.is_matchable()) continue;
     relocalizer.map().add(topobag::KeyframeId{i}, map[i].graph, info_of(map[i]));

@@ -61,8 +61,11 @@
 #include <topobag/matching/consistency_similarity.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/judge_pose.hpp>
+#include <topobag/matching/layout_prior.hpp>
+#include <topobag/matching/layout_prior_text.hpp>
 #include <topobag/matching/learn_appearance.hpp>
 #include <topobag/matching/learn_confusion.hpp>
+#include <topobag/matching/learn_layouts.hpp>
 #include <topobag/matching/learn_sizes.hpp>
 #include <topobag/matching/match_bearings.hpp>
 #include <topobag/matching/match_graphs.hpp>
@@ -78,6 +81,7 @@
 #include <topobag/matching/size_prior.hpp>
 #include <topobag/matching/size_prior_text.hpp>
 #include <topobag/matching/three_bearings.hpp>
+#include <topobag/matching/usual_layouts.hpp>
 #include <topobag/matching/usual_size_spreads.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/platform.hpp>

@@ -195,3 +195,33 @@ TEST_CASE("pairs that nobody can choose have no significance", "[matching][regre
   alike.join(ClassId{1}, ClassId{2});
   CHECK(std::isfinite(significance(cups, books, 3, 0.0, alike)));
 }
+
+TEST_CASE("a layout that other places have as well is less significant than one that they have not",
+          "[matching]") {
+  const TopologyGraph<> graph = with_classes({1, 2, 3, 4});
+  const auto pairs = first_pairs(4);
+  std::vector<PointPair> points;
+  for (const auto& node : graph.nodes()) points.push_back(point_pair(node, node));
+  const RefinedPose pose = refine_pose(Eigen::Isometry3d::Identity(), points);
+  const auto of = [&](const ChanceModel& chance) {
+    return chance.significance(graph, graph, pairs, points, pose);
+  };
+  ChanceModel usual, unusual;
+  usual.layouts.emplace();
+  unusual.layouts.emplace();
+  for (int a = 1; a <= 4; ++a) {
+    for (int b = 1; b < a; ++b) {
+      const auto& from = *graph.nodes()[static_cast<std::size_t>(a - 1)].position;
+      const auto& to = *graph.nodes()[static_cast<std::size_t>(b - 1)].position;
+      DistanceCounts so{}, nearer{};
+      so[DistanceBins::of((from - to).norm())] = 100.0;
+      nearer[0] = 100.0;
+      usual.layouts->add(ClassId{a}, ClassId{b}, {}, so);
+      unusual.layouts->add(ClassId{a}, ClassId{b}, {}, nearer);
+    }
+  }
+  CHECK(of(usual) < of(ChanceModel{}));
+  CHECK(of(ChanceModel{}) < of(unusual));
+  // However unusual, a share of all objects stands anywhere.
+  CHECK(of(unusual) <= of(ChanceModel{}) - 3.0 * std::log10(unusual.layouts->even) + 1e-9);
+}

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <string>
+#include <vector>
 
 #include <topobag/graph/local_graph_options.hpp>
+#include <topobag/matching/layout_prior_text.hpp>
+#include <topobag/matching/learn_layouts.hpp>
 #include <topobag/matching/match_options.hpp>
 #include <topobag/matching/size_prior_text.hpp>
+#include <topobag/matching/usual_layouts.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 
 #include "fields.hpp"
@@ -13,6 +17,26 @@ namespace python {
 namespace {
 
 using namespace topobag;
+
+void bind_layouts(py::module_& module) {
+  py::class_<LayoutPrior>(module, "LayoutPrior", doc("LayoutPrior"))
+      .def(py::init<>())
+      .def_readwrite("even", &LayoutPrior::even, doc("LayoutPrior.even"))
+      .def_readwrite("pooled", &LayoutPrior::pooled, doc("LayoutPrior.pooled"))
+      .def("density", &LayoutPrior::density, py::arg("a"), py::arg("b"), py::arg("distance"),
+           py::arg("extent"), py::arg("level"), doc("LayoutPrior.density"))
+      .def(
+          "to_text", [](const LayoutPrior& p) { return topobag::to_string(p); },
+          "As a text, from which `from_text` makes the same one.")
+      .def_static(
+          "from_text", [](const std::string& text) { return parse_layout_prior(text); },
+          py::arg("text"), doc("parse_layout_prior"))
+      .def(py::pickle([](const LayoutPrior& p) { return topobag::to_string(p); },
+                      [](const std::string& text) { return parse_layout_prior(text); }));
+  module.def("learn_layouts", &learn_layouts<TopologyGraph<>>, py::arg("places"),
+             py::arg("prior") = LayoutPrior(), doc("learn_layouts"));
+  module.def("usual_layouts", &usual_layouts, py::arg("catalog"), doc("usual_layouts"));
+}
 
 void bind_chance(py::module_& module) {
   Fields<SizeSpread>(module, "SizeSpread")
@@ -35,7 +59,8 @@ void bind_chance(py::module_& module) {
       .field("height_spread", &ChanceModel::height_spread)
       .field("sizes", &ChanceModel::sizes)
       .field("relabeling", &ChanceModel::relabeling)
-      .field("appearance", &ChanceModel::appearance);
+      .field("appearance", &ChanceModel::appearance)
+      .field("layouts", &ChanceModel::layouts);
 }
 
 void bind_place_options(py::module_& module) {
@@ -106,6 +131,7 @@ void bind_agreement(py::module_& module) {
 
 void bind_match_options(py::module_& module) {
   bind_agreement(module);
+  bind_layouts(module);
   bind_chance(module);
   bind_place_options(module);
   Fields<MatchOptions>(module, "MatchOptions")

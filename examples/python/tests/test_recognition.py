@@ -112,6 +112,22 @@ def test_a_calibration_learns_and_keeps(sample, relocalizer):
         topobag.Calibration.from_text("what")
 
 
+def test_layouts_are_learnt_kept_and_used():
+    catalog = topobag.ClassCatalog.coco80()
+    usual = topobag.usual_layouts(catalog)
+    again = pickle.loads(pickle.dumps(usual))
+    assert again.to_text() == usual.to_text()
+    place = topobag.TopologyGraph(topobag.Nodes([64, 66], np.array([[0, 0, 0], [0.3, 0, 0]], float)), topobag.KnnEdges())
+    learnt = topobag.learn_layouts([place] * 20)
+    assert learnt.density(66, 64, 0.3, 2.0, False) > 10 * learnt.density(64, 66, 1.5, 2.0, False)
+    with pytest.raises(ValueError, match="one place or more"):
+        topobag.learn_layouts([])
+    options = topobag.recognition_options(catalog)
+    assert options.matching.chance.layouts is None
+    options.matching.chance.layouts = usual
+    assert options.matching.chance.layouts.to_text() == usual.to_text()
+
+
 def test_what_sizes_say_is_kept_as_text():
     prior = topobag.recognition_options(topobag.ClassCatalog.coco80()).matching.chance.sizes
     again = topobag.SizePrior.from_text(prior.to_text())

@@ -21,6 +21,7 @@
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/detail/cholesky.hpp>
 #include <topobag/matching/detail/slab.hpp>
+#include <topobag/matching/layout_prior.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/shared_vertical.hpp>
 #include <topobag/matching/size_prior.hpp>
@@ -47,7 +48,9 @@ inline namespace v0 {
 ///
 /// The widths and the heights of the paired objects speak as well (`SizePrior`); on real detections
 /// the two sides err apart (their errors correlate by 0.1 to 0.2). So do their looks, where both
-/// are known (`AppearanceModel`).
+/// are known (`AppearanceModel`). That things stand alike because they always do can be told as
+/// well
+/// (`LayoutPrior`).
 struct ChanceModel {
   double fill = 1.5;  ///< area that chance fills, in rectangles of the matched objects' scatter
   double min_extent = 0.10;     ///< m, of each of its sides
@@ -57,6 +60,8 @@ struct ChanceModel {
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's
   AppearanceModel appearance{};               ///< what the looks of a pair say
+  std::optional<LayoutPrior> layouts{};  ///< with it, chance strews the matched objects as they
+                                         ///< usually stand
 
   /// −log10 of the expected number of false matches. 0 for fewer than three pairs, or two where the
   /// vertical is known. O(n + k).
@@ -86,6 +91,7 @@ struct ChanceModel {
       looks += appearance.log10_odds(p.appearance, q.appearance);
     }
     if (looks != 0.0) significance += appearance.log10_odds_together(looks);
+    if (layouts) significance -= log10_layout_odds(query, pairs, points, vertical);
     // Not so where rounding leaves the covariance of a pose, or of a pair, without a root.
     return std::isfinite(significance) ? significance : std::numeric_limits<double>::lowest();
   }
@@ -99,8 +105,7 @@ struct ChanceModel {
     const double log_two_pi = 1.8378770664093453;
     const auto n = static_cast<double>(points.size());
     const detail::Slab slab(points, vertical ? &*vertical : nullptr);
-    const double log_area = std::log(fill) + std::log(std::max(min_extent, slab.length)) +
-                            std::log(std::max(min_extent, slab.width));
+    const double log_area = std::log(area(slab));
     double log_factor = 0.0;
     double height_variance = 0.0;  // under chance, the mean
     for (const auto& pair : points) {
@@ -167,6 +172,33 @@ struct ChanceModel {
   }
 
  private:
+  /// m², over which chance strews the matched objects.
+  double area(const detail::Slab& slab) const {
+    return fill * std::max(min_extent, slab.length) * std::max(min_extent, slab.width);
+  }
+
+  /// How much more likely other places lay the query's matched objects out so than chance does that
+  /// strews them evenly.
+  template <typename Scalar>
+  double log10_layout_odds(const TopologyGraph<Scalar>& query,
+                           const std::vector<Correspondence>& pairs,
+                           const std::vector<PointPair>& points,
+                           const std::optional<SharedVertical>& vertical) const {
+    const detail::Slab slab(points, vertical ? &*vertical : nullptr);
+    std::vector<ClassId> labels;
+    std::vector<Eigen::Vector3d> positions;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      labels.push_back(query.node(pairs[i].query).label);
+      positions.push_back(points[i].source);
+      if (!vertical) continue;
+      const Eigen::Vector3d& down = vertical->source_down;
+      positions.back() -= down * down.dot(points[i].source);
+    }
+    const double extent =
+        std::hypot(std::max(min_extent, slab.length), std::max(min_extent, slab.width));
+    return layouts->log10_odds(labels, positions, area(slab), extent, vertical.has_value());
+  }
+
   static double log_factorial(std::size_t n) {
     static const std::array<double, 64> known = [] {
       std::array<double, 64> logs{};
