@@ -39,6 +39,7 @@ struct PlaceRun {
   double min_confidence = 0.3;              ///< least score of a detection
   std::optional<Eigen::Vector3d> world_up;  ///< of both tables; nothing: no gravity
   std::size_t stride = 1;                   ///< every so many usable queries are looked up
+  std::vector<std::string> places;          ///< that the run tells of, where they are named
 };
 
 namespace place_run_fields {
@@ -77,8 +78,9 @@ inline PlaceKind kind_of(const program::CsvReader& csv, std::size_t column) {
 
 /// Reads a list of runs: a CSV file with the columns name, kind (same, other, loops), min_gap (s),
 /// map, query (tables; relative ones lie beside the list), map_camera, query_camera (fx fy cx cy
-/// between blanks; images of 640 x 480), window, interval (s), min_confidence and world_up (x y z,
-/// or none). Throws program::InputError with the file and the line.
+/// between blanks; images of 640 x 480), window, interval (s), min_confidence, world_up (x y z, or
+/// none) and, if it is there, places (names between blanks). Throws program::InputError with the
+/// file and the line.
 inline std::vector<PlaceRun> read_place_runs(const std::string& path) {
   program::CsvReader csv(path);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -87,6 +89,7 @@ inline std::vector<PlaceRun> read_place_runs(const std::string& path) {
              map_camera = csv.column("map_camera"), query_camera = csv.column("query_camera"),
              window = csv.column("window"), interval = csv.column("interval"),
              confidence = csv.column("min_confidence"), up = csv.column("world_up");
+  const auto places = csv.find_column("places");
   std::vector<PlaceRun> runs;
   while (csv.next()) {
     PlaceRun run;
@@ -106,6 +109,10 @@ inline std::vector<PlaceRun> read_place_runs(const std::string& path) {
     if (csv.text(up) != "none") {
       run.world_up = place_run_fields::numbers_of(csv, up, 3);
       if (run.world_up->isZero(0.0)) throw csv.error("the world's up has no direction");
+    }
+    if (places) {
+      std::istringstream names{std::string(csv.text(*places))};
+      for (std::string place; names >> place;) run.places.push_back(place);
     }
     runs.push_back(std::move(run));
   }

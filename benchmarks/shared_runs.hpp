@@ -34,7 +34,7 @@ inline std::vector<PlaceRun> shared_runs(const std::string& folder,
     return SharedSet{name, folder + "/nodes/" + table, place, camera, 0.4};
   };
   const auto room = [&](const char* name) {
-    return SharedSet{std::string("rooms_") + name, folder + "/rooms/" + name, name, rooms, 0.0};
+    return SharedSet{std::string("rooms_") + name, folder + "/rooms/" + name, "rooms", rooms, 0.0};
   };
   const SharedSet xyz_yolox = sequence("xyz_yolox", "tum_fr1_xyz.yolox_nano_416", "fr1", fr1),
                   rpy_yolox = sequence("rpy_yolox", "tum_fr1_rpy.yolox_nano_416", "fr1", fr1),
@@ -63,6 +63,7 @@ inline std::vector<PlaceRun> shared_runs(const std::string& folder,
           run.interval = asked.interval;
           run.min_confidence = min_confidence;
           if (gravity) run.world_up = Eigen::Vector3d::UnitZ();
+          run.places = {asked.place, map.place};
           if (asked.interval == 0.0) run.stride = options.rooms_stride;
           runs.push_back(run);
         };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "catch.hpp"
 #include "error_text.hpp"
@@ -46,6 +47,12 @@ TEST_CASE("a list of runs is read with its tables beside it", "[benchmarks]") {
   CHECK(runs[1].min_confidence == 0.5);
   REQUIRE(runs[1].world_up);
   CHECK(*runs[1].world_up == Eigen::Vector3d::UnitZ());
+  CHECK(runs[1].places.empty());
+
+  std::string named = head + "a,same,,map,query,1 2 3 4,5 6 7 8,3,0.4,0.3,none,desk kitchen\n";
+  named.insert(head.size() - 1, ",places");
+  CHECK(read_place_runs(folder.write("named.csv", named)).at(0).places ==
+        std::vector<std::string>{"desk", "kitchen"});
 }
 
 TEST_CASE("what is wrong in a list of runs is said with its line", "[benchmarks]") {

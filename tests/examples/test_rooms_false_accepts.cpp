@@ -126,12 +126,14 @@ TEST_CASE("the rate of false accepts is at most 1 in 300 queries, however large 
     measure(2, "84 rooms");
     // Made-up places out of the rooms' pieces, far away and 20 m apart.
     RecombinedGraphs source(std::move(pieces), 5);
-    for (int place = 0; place < 500; ++place) {
+    const std::size_t places = long_rounds(12500);
+    for (std::size_t place = 0; place < places; ++place) {
       const auto nodes = source.place();
-      const Eigen::Isometry3d at(Eigen::Translation3d(20.0 * place, -1e6, 0.0));
+      const Eigen::Isometry3d at(
+          Eigen::Translation3d(20.0 * static_cast<double>(place), -1e6, 0.0));
       for (int visit = 0; visit < 4; ++visit) map.add(source.keyframe(nodes), at);
     }
-    measure(3, "and 500 made-up places");
+    measure(3, "and made-up places");
   }
   for (const std::size_t stage : accepted) CHECK(300 * stage <= records);
 }
