@@ -26,7 +26,8 @@ struct MergeOptions {
 
   /// What is known of an entry, as it comes in. Throws InvalidId when the sessions run out,
   /// InvalidValue when its pose becomes infinite.
-  EntryInfo moved(EntryInfo info) const {
+  template <typename Info>
+  Info moved(Info info) const {
     info.session = session_after(info.session, session_offset);
     if (T_world_other && info.T_world_camera) {
       info.T_world_camera = *T_world_other * *info.T_world_camera;

@@ -29,8 +29,9 @@ struct SharedVertical {
 
   /// The rotation that is level and turned by `yaw`, rad, about the upward vertical, measured from
   /// the one that turns least.
-  Eigen::Matrix3d rotation(double yaw) const {
-    return Eigen::AngleAxisd(yaw, -target_down).toRotationMatrix() * least_turn();
+  template <typename Angle>
+  Eigen::Matrix3d rotation(Angle yaw) const {
+    return Eigen::AngleAxis<Angle>(yaw, -target_down).toRotationMatrix() * least_turn();
   }
 
   /// How far `R` turns about the vertical, rad, in [0, π].
@@ -43,7 +44,10 @@ struct SharedVertical {
   }
 
  private:
-  Eigen::Matrix3d least_turn() const { return detail::least_turn(source_down, target_down); }
+  template <typename Vector = Eigen::Vector3d>
+  Eigen::Matrix3d least_turn() const {
+    return detail::least_turn<Vector>(source_down, target_down);
+  }
 };
 
 /// Nothing unless both graphs know which way is down.

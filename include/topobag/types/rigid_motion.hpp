@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -20,22 +22,43 @@ inline constexpr double written_rotation_tolerance = 0.01;
 
 namespace detail {
 
-/// What else than turn and move a transformation does; empty for a rigid motion.
+/// What else than turn and move a transformation does; empty for a rigid motion. Number by number:
+/// every map compiles it.
 inline std::string unrigid_part(const Eigen::Matrix4d& T, double tolerance) {
-  if (!T.allFinite()) return "a number of it is not finite";
-  if (T.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0)) {
+  for (Eigen::Index i = 0; i < 16; ++i) {
+    if (!std::isfinite(T.data()[i])) return "a number of it is not finite";
+  }
+  for (Eigen::Index column = 0; column < 4; ++column) {
+    if (T(3, column) == (column == 3 ? 1.0 : 0.0)) continue;
     return "its last row is not 0 0 0 1; is it transposed?";
   }
-  const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
-  const Eigen::Matrix3d product = R * R.transpose();
-  const double square = product.trace() / 3.0;  // of its scale
-  const bool unscaled = (product - Eigen::Matrix3d::Identity()).norm() <= tolerance;
-  if (!unscaled && square > 0.0 &&
-      (product / square - Eigen::Matrix3d::Identity()).norm() <= tolerance) {
-    return "it scales by " + std::to_string(std::sqrt(square)) + "; divide the rotation by that";
+  std::array<double, 9> product{};  // of the rotation and its transpose
+  double square = 0.0;              // of its scale
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < 3; ++column) {
+      double& sum = product[static_cast<std::size_t>(3 * row + column)];
+      for (Eigen::Index k = 0; k < 3; ++k) sum += T(row, k) * T(column, k);
+      if (row == column) square += sum / 3.0;
+    }
   }
-  if (!unscaled) return "the columns of its rotation are not at right angles and of length 1";
-  if (R.determinant() < 0.0) return "it mirrors; one of the two frames is left-handed";
+  const auto off_unit = [&](double scale) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < product.size(); ++i) {
+      const double difference = product[i] / scale - (i % 4 == 0 ? 1.0 : 0.0);
+      squares += difference * difference;
+    }
+    return std::sqrt(squares);
+  };
+  if (!(off_unit(1.0) <= tolerance)) {
+    if (square > 0.0 && off_unit(square) <= tolerance) {
+      return "it scales by " + std::to_string(std::sqrt(square)) + "; divide the rotation by that";
+    }
+    return "the columns of its rotation are not at right angles and of length 1";
+  }
+  const double determinant = T(0, 0) * (T(1, 1) * T(2, 2) - T(1, 2) * T(2, 1)) -
+                             T(0, 1) * (T(1, 0) * T(2, 2) - T(1, 2) * T(2, 0)) +
+                             T(0, 2) * (T(1, 0) * T(2, 1) - T(1, 1) * T(2, 0));
+  if (determinant < 0.0) return "it mirrors; one of the two frames is left-handed";
   return {};
 }
 

@@ -16,14 +16,15 @@ namespace detail {
 /// The rotation of least angle that carries one unit vector onto another; of opposite ones, by half
 /// a turn about some axis that is square to both. In place of Eigen's `FromTwoVectors`, which
 /// decomposes a matrix for the latter and takes a compiler seconds.
-inline Eigen::Matrix3d least_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+template <typename Vector>
+Eigen::Matrix3d least_turn(const Vector& from, const Vector& to) {
   const double cosine = std::max(-1.0, from.dot(to));
   if (cosine < -1.0 + 1e-12) {
     const auto pi = static_cast<double>(EIGEN_PI);
-    return Eigen::AngleAxisd(pi, from.unitOrthogonal()).toRotationMatrix();
+    return Eigen::AngleAxis<typename Vector::Scalar>(pi, from.unitOrthogonal()).toRotationMatrix();
   }
   const double twice_real = std::sqrt(2.0 * (1.0 + cosine));
-  Eigen::Quaterniond turn;
+  Eigen::Quaternion<typename Vector::Scalar> turn;
   turn.vec() = from.cross(to) / twice_real;
   turn.w() = 0.5 * twice_real;
   return turn.toRotationMatrix();

@@ -31,14 +31,15 @@ struct PlaceHypothesis {
 };
 
 /// Whether two hypotheses put the query in one place, looking the same way.
-inline bool same_place(const PlaceHypothesis& a, KeyframeId a_id, const PlaceHypothesis& b,
-                       KeyframeId b_id, const PlaceOptions& options) {
-  const auto apart = [&](const Eigen::Isometry3d& between) {
+template <typename Hypothesis>
+bool same_place(const Hypothesis& a, KeyframeId a_id, const Hypothesis& b, KeyframeId b_id,
+                const PlaceOptions& options) {
+  const auto apart = [&](const auto& between) {
     return between.translation().norm() > options.distinct_translation ||
            Eigen::AngleAxisd(between.linear()).angle() > options.distinct_rotation;
   };
-  const Eigen::Isometry3d& T_a = a.pose->T_candidate_query;
-  const Eigen::Isometry3d& T_b = b.pose->T_candidate_query;
+  const auto& T_a = a.pose->T_candidate_query;
+  const auto& T_b = b.pose->T_candidate_query;
   if (a_id == b_id) return !apart(T_a.inverse() * T_b);
   if (a.info && b.info && a.info->T_world_camera && b.info->T_world_camera) {
     return !apart((*a.info->T_world_camera * T_a).inverse() * (*b.info->T_world_camera * T_b));

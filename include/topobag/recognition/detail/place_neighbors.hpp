@@ -45,15 +45,16 @@ std::vector<KeyframeId> keyframes_within(const Bag& bag, const typename Bag::Gra
 }
 
 /// How far apart two cameras stand and look, m.
-inline double camera_distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
-                              const PlaceOptions& options) {
-  const Eigen::Isometry3d between = a.inverse() * b;
+template <typename Pose>
+double camera_distance(const Pose& a, const Pose& b, const PlaceOptions& options) {
+  const Pose between = a.inverse() * b;
   return between.translation().norm() +
          options.turn_weight * Eigen::AngleAxisd(between.linear()).angle();
 }
 
 /// Whether two key frames, both with poses, are images of one film that show the same.
-inline bool repeats(const EntryInfo& a, const EntryInfo& b, const PlaceOptions& options) {
+template <typename Info>
+bool repeats(const Info& a, const Info& b, const PlaceOptions& options) {
   return a.session == b.session &&
          camera_distance(*a.T_world_camera, *b.T_world_camera, options) < options.spacing;
 }

@@ -19,7 +19,8 @@ inline namespace v0 {
 namespace detail {
 
 /// Whether `pose` lies within the 95 % region of a pose that the matched objects leave open.
-inline bool within_uncertainty(const RelativePose& open, const RelativePose& pose) {
+template <typename Pose>
+bool within_uncertainty(const Pose& open, const Pose& pose) {
   const double chi2_95 = 12.5916;  // of six degrees of freedom
   const Eigen::Isometry3d between = pose.T_candidate_query * open.T_candidate_query.inverse();
   const Eigen::AngleAxisd turn(between.linear());
