@@ -34,7 +34,7 @@ class BoxFaces {
         base = record(18, 2).rgb * (axis == 0 ? 0.80 : axis == 1 ? 0.90 : 1.06);
         onFace = corner;
         vec2 across = axis == 0 ? halfSize.yz : axis == 1 ? halfSize.xz : halfSize.xy;
-        border = min(vec2(0.9), 1.4 * pixelAngle * length(away) / across);
+        border = min(vec2(0.3), 1.4 * pixelAngle * length(away) / across);
       }`, `
       in vec3 base;
       in vec2 onFace;
