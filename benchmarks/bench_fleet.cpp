@@ -56,14 +56,19 @@ Versions some_versions(std::size_t count) {
   return versions;
 }
 
-/// Versions a second of so many robots at once.
+/// Versions a second of so many robots at once, whose connections are there, as COPY's is.
 double pushed(const std::string& conninfo, const Versions& versions, std::size_t robots,
               std::size_t batch) {
+  std::vector<topobag::PostgresStore> stores;
+  for (std::size_t robot = 0; robot < robots; ++robot) {
+    stores.emplace_back(conninfo);
+    stores.back().site_names();
+  }
   std::vector<std::thread> threads;
   const auto start = Clock::now();
   for (std::size_t robot = 0; robot < robots; ++robot) {
     threads.emplace_back([&, robot] {
-      topobag::PostgresStore store(conninfo);
+      topobag::PostgresStore& store = stores[robot];
       const topobag::Uuid uuid = topobag::random_uuid();
       const std::size_t share = versions.size() / robots;
       for (std::size_t at = robot * share; at < (robot + 1) * share; at += batch) {

@@ -34,9 +34,7 @@ class PostgresServer {
   explicit PostgresServer(std::vector<std::string> settings = {}) : settings_(std::move(settings)) {
     std::filesystem::permissions(folder_.path(), std::filesystem::perms(0711));
     std::filesystem::create_directory(data());
-    if (const ::passwd* user = server_user()) {
-      if (::chown(data().c_str(), user->pw_uid, user->pw_gid) != 0) throw std::runtime_error("chown");
-    }
+    give(data());
     const ::pid_t initdb = run({binary("initdb"), "-D", data(), "-U", "owner", "-A", "trust", "-N",
                                 "-E", "UTF8", "--locale", "C"});
     int status = 0;
@@ -70,6 +68,14 @@ class PostgresServer {
     ::kill(process_, SIGQUIT);
     ::waitpid(process_, nullptr, 0);
     process_ = -1;
+  }
+
+  /// Makes a file the server's own.
+  static void give(const std::string& path) {
+    const ::passwd* user = server_user();
+    if (user != nullptr && ::chown(path.c_str(), user->pw_uid, user->pw_gid) != 0) {
+      throw std::runtime_error("chown " + path);
+    }
   }
 
   /// The folder of its data and its socket.
