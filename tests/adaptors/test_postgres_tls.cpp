@@ -54,8 +54,8 @@ class TlsServer {
 
   /// As the robot says it, with more words.
   std::string conninfo(const std::string& words, const std::string& host = "fleet.test") const {
-    return "host=" + host + " hostaddr=" + address_ + " user=r2d2 password=bleep dbname=" +
-           base_.substr(base_.rfind('=') + 1) + " " + words;
+    return "host=" + host + " hostaddr=" + address_ +
+           " user=r2d2 password=bleep dbname=" + base_.substr(base_.rfind('=') + 1) + " " + words;
   }
 
  private:
@@ -72,7 +72,8 @@ bool says(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a robot pushes through TLS to the server that it trusts, and to no other", "[postgres]") {
+TEST_CASE("a robot pushes through TLS to the server that it trusts, and to no other",
+          "[postgres]") {
   if (!PostgresServer::is_installed() || !TlsAuthority::is_possible()) return;
   const TlsAuthority authority, stranger;
   const TlsServer server(authority);
@@ -95,7 +96,8 @@ TEST_CASE("a robot pushes through TLS to the server that it trusts, and to no ot
   for (const char* mode : {"sslmode=verify-full", "sslmode=verify-ca"}) {
     CHECK(says(pushed(server.conninfo(mode + distrust)), "certificate verify failed"));
   }
-  CHECK(says(pushed(server.conninfo("sslmode=verify-full" + trust, "yard.test")), "does not match"));
+  CHECK(
+      says(pushed(server.conninfo("sslmode=verify-full" + trust, "yard.test")), "does not match"));
   CHECK(says(pushed(server.conninfo("sslmode=disable")), "no encryption"));
   CHECK(says(pushed(server.conninfo("sslmode=verify-full sslrootcert=" + folder.path("none"))),
              "does not exist"));

@@ -31,8 +31,10 @@ class TlsAuthority {
   void certify(const std::string& name, const std::string& folder) const {
     std::ofstream(folder_.path("names")) << "subjectAltName = DNS:" << name << '\n';
     make("req -subj /CN=" + name + new_key("server") + " -out request");
-    make("x509 -req -days 7 -CA authority.crt -CAkey authority.key -CAcreateserial -extfile names"
-         " -in request -out '" + folder + "/server.crt'");
+    make(
+        "x509 -req -days 7 -CA authority.crt -CAkey authority.key -CAcreateserial -extfile names"
+        " -in request -out '" +
+        folder + "/server.crt'");
     std::filesystem::copy(folder_.path("server.key"), folder + "/server.key");
   }
 
