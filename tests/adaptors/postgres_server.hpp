@@ -11,6 +11,9 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -76,6 +79,18 @@ class PostgresServer {
     if (user != nullptr && ::chown(path.c_str(), user->pw_uid, user->pw_gid) != 0) {
       throw std::runtime_error("chown " + path);
     }
+  }
+
+  /// What the server has worked till now, s: itself, and those of its connections that have ended.
+  double processor_seconds() const {
+    std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    std::istringstream fields(text.substr(text.rfind(')') + 2));
+    const std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
+    double ticks = 0.0;
+    for (std::size_t i = 11; i < 15; ++i) ticks += std::stod(words.at(i));  // proc(5): utime on
+    return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
   }
 
   /// The folder of its data and its socket.
