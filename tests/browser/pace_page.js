@@ -3,6 +3,7 @@
 // Ends with an error where a picture takes more than some calls, or is drawn though nothing moved.
 import assert from 'node:assert/strict';
 import { openPage } from './open_page.js';
+import { processorTime } from './processor_time.js';
 
 const graphics = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const pictures = Number(process.argv[3] ?? 120);
@@ -54,12 +55,15 @@ await openPage(process.argv[2], graphics, async ({ page, complaints }) => {
   await page.waitForTimeout(500);
 
   const measure = async (what, keys) => {
+    const worked = processorTime();
     const { times, draws, sent } = await page.evaluate(press, [keys, pictures]);
+    const work = (processorTime() - worked) / pictures;
     const taken = times.slice(1).map((time, i) => time - times[i]);
     const rate = 1000 * taken.length / (times.at(-1) - times[0]);
     console.log(`${what}: ${rate.toFixed(1)} pictures a second, median ` +
       `${middle(taken).toFixed(1)} ms, longest ${Math.max(...taken).toFixed(1)} ms; ` +
-      `${(draws / pictures).toFixed(1)} draw calls and ${(sent / pictures / 1e3).toFixed(0)} kB a picture`);
+      `a picture takes the browser ${work.toFixed(0)} ms of the processors, ` +
+      `${(draws / pictures).toFixed(1)} draw calls and ${(sent / pictures / 1e3).toFixed(0)} kB`);
     assert.ok(draws > 0, 'nothing is drawn');
     assert.ok(draws <= 8 * pictures, `${draws} draw calls for ${pictures} pictures`);
   };
