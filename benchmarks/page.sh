@@ -60,8 +60,8 @@ section "A key frame in the front end" \
   build/benchmarks/bench_frontend
 section "Retrieval and memory" \
   "The exact best ten, of a bag that grows; bytes are those of an encoded graph with its index. The answers are those of brute force, which
-is checked." \
-  build/benchmarks/bench_bag --graphs 1000,10000,100000 --queries 200
+is checked. Where they are there, hnswlib and faiss (HNSW, M = 16, ef 200, one thread) are asked for the same graphs as vectors of 256 numbers." \
+  build/benchmarks/bench_bag --graphs 1000,10000,100000 --queries 200 --neighbor-graphs 10000
 section "Delaunay edges" \
   "Beside CGAL itself, whose faster way counts; random layouts in an image of 640 × 480." \
   build/benchmarks/bench_delaunay
