@@ -154,6 +154,8 @@ int main(int argc, char** argv) {
   app.add_option("--graphs", options.graphs, "sizes of the bag")->delimiter(',');
   app.add_option("--nodes", options.sets, "node tables whose graphs are the pieces");
   app.add_option("--queries", options.queries, "how many")->check(CLI::PositiveNumber);
+  app.add_option("--neighbor-graphs", options.max_neighbor_graph,
+                 "largest bag beside which neighbour graphs are built");
   CLI11_PARSE(app, argc, argv);
   const std::vector<Graph> pieces = graphs_of_tables(options.sets);
   report_rounding(pieces);

@@ -56,14 +56,19 @@ Versions some_versions(std::size_t count) {
   return versions;
 }
 
-/// Versions a second of so many robots at once.
+/// Versions a second of so many robots at once, whose connections are there, as COPY's is.
 double pushed(const std::string& conninfo, const Versions& versions, std::size_t robots,
               std::size_t batch) {
+  std::vector<topobag::PostgresStore> stores;
+  for (std::size_t robot = 0; robot < robots; ++robot) {
+    stores.emplace_back(conninfo);
+    stores.back().site_names();
+  }
   std::vector<std::thread> threads;
   const auto start = Clock::now();
   for (std::size_t robot = 0; robot < robots; ++robot) {
     threads.emplace_back([&, robot] {
-      topobag::PostgresStore store(conninfo);
+      topobag::PostgresStore& store = stores[robot];
       const topobag::Uuid uuid = topobag::random_uuid();
       const std::size_t share = versions.size() / robots;
       for (std::size_t at = robot * share; at < (robot + 1) * share; at += batch) {
@@ -92,11 +97,24 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// What a call's rows take of the processors, the server's and this process', µs a row: where
+/// others are at work, that says more than a rate.
+template <typename Call>
+double processor_us(const PostgresServer& server, std::size_t rows, const Call& call) {
+  const auto spent = [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // till connections have ended
+    return server.processor_seconds() + static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  };
+  const double before = spent();
+  call();
+  return 1e6 * (spent() - before) / static_cast<double>(rows);
+}
+
 /// Push and COPY in turns, since the machine may have other work; medians over the turns.
 void measure_rates(PostgresServer& server, const Versions& versions, std::size_t batch) {
   constexpr std::size_t turns = 5;
   for (const std::size_t robots : {std::size_t{1}, std::size_t{8}, std::size_t{32}}) {
-    std::vector<double> push, bare, indexed, of_bare, of_indexed;
+    std::vector<double> push, bare, indexed, of_bare, of_indexed, push_us, bare_us, indexed_us;
     std::string bytes;
     for (std::size_t turn = 0; turn < turns; ++turn) {
       const std::string conninfo = fleet_base(server);
@@ -104,9 +122,14 @@ void measure_rates(PostgresServer& server, const Versions& versions, std::size_t
           "CREATE TABLE bare (LIKE topobag.version);"
           "CREATE TABLE indexed (LIKE topobag.version INCLUDING INDEXES)",
           conninfo);
-      push.push_back(pushed(conninfo, versions, robots, batch));
-      bare.push_back(copied(conninfo, "bare", batch));
-      indexed.push_back(copied(conninfo, "indexed", batch));
+      const auto timed = [&](std::vector<double>& rates, std::vector<double>& costs,
+                             const auto& call) {
+        costs.push_back(processor_us(server, versions.size(), [&] { rates.push_back(call()); }));
+      };
+      timed(push, push_us, [&] { return pushed(conninfo, versions, robots, batch); });
+      const std::vector<std::string> lines = copied_lines(conninfo);
+      timed(bare, bare_us, [&] { return copy_lines(conninfo, "bare", lines, batch); });
+      timed(indexed, indexed_us, [&] { return copy_lines(conninfo, "indexed", lines, batch); });
       of_bare.push_back(push.back() / bare.back());
       of_indexed.push_back(push.back() / indexed.back());
       bytes = server.sql(
@@ -118,9 +141,11 @@ void measure_rates(PostgresServer& server, const Versions& versions, std::size_t
         "{\"bench\":\"fleet_push\",\"robots\":%zu,\"batch\":%zu,\"versions\":%zu,"
         "\"turns\":%zu,\"push_per_s\":%.0f,\"copy_per_s\":%.0f,"
         "\"copy_indexed_per_s\":%.0f,\"push_of_copy\":%.2f,"
-        "\"push_of_copy_indexed\":%.2f,\"bytes_per_row\":%s}\n",
+        "\"push_of_copy_indexed\":%.2f,\"push_processor_us\":%.1f,\"copy_processor_us\":%.1f,"
+        "\"copy_indexed_processor_us\":%.1f,\"bytes_per_row\":%s}\n",
         robots, batch, versions.size(), turns, median(push), median(bare), median(indexed),
-        median(of_bare), median(of_indexed), bytes.substr(0, bytes.find('.')).c_str());
+        median(of_bare), median(of_indexed), median(push_us), median(bare_us), median(indexed_us),
+        bytes.substr(0, bytes.find('.')).c_str());
     std::fflush(stdout);
   }
 }

@@ -111,6 +111,9 @@ void compare_with(const std::vector<topobag::SparseHistogram>& stored,
     }
   }
   std::nth_element(us.begin(), us.begin() + static_cast<std::ptrdiff_t>(us.size() / 2), us.end());
+  std::printf("%9s %11.0f us at the median; %.3f of the exact best %zu; %.0f us to add one\n",
+              Index::name, us[us.size() / 2],
+              static_cast<double>(found) / static_cast<double>(wanted), neighbors, add_us);
   std::printf(
       "{\"bench\":\"bag_%s\",\"graphs\":%zu,\"median_us\":%.1f,\"recall\":%.3f,"
       "\"add_us\":%.2f}\n",

@@ -10,9 +10,8 @@
 
 #include <libpq-fe.h>
 
-/// Rows a second of COPY of everything that has been pushed into a table, by one connection, in
-/// batches of one transaction each.
-inline double copied(const std::string& conninfo, const std::string& table, std::size_t batch) {
+/// Everything that has been pushed, a line each, as COPY writes and reads it.
+inline std::vector<std::string> copied_lines(const std::string& conninfo) {
   PGconn* connection = PQconnectdb(conninfo.c_str());
   PQclear(PQexec(connection, "COPY (SELECT * FROM topobag.version) TO STDOUT (FORMAT text)"));
   std::vector<std::string> lines;
@@ -21,6 +20,15 @@ inline double copied(const std::string& conninfo, const std::string& table, std:
     lines.emplace_back(line, static_cast<std::size_t>(size));
   }
   PQclear(PQgetResult(connection));
+  PQfinish(connection);
+  return lines;
+}
+
+/// Rows a second of COPY of lines into a table, by one connection, in batches of one transaction
+/// each.
+inline double copy_lines(const std::string& conninfo, const std::string& table,
+                         const std::vector<std::string>& lines, std::size_t batch) {
+  PGconn* connection = PQconnectdb(conninfo.c_str());
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   for (std::size_t at = 0; at < lines.size(); at += batch) {

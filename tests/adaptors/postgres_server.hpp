@@ -11,6 +11,9 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -34,9 +37,7 @@ class PostgresServer {
   explicit PostgresServer(std::vector<std::string> settings = {}) : settings_(std::move(settings)) {
     std::filesystem::permissions(folder_.path(), std::filesystem::perms(0711));
     std::filesystem::create_directory(data());
-    if (const ::passwd* user = server_user()) {
-      if (::chown(data().c_str(), user->pw_uid, user->pw_gid) != 0) throw std::runtime_error("chown");
-    }
+    give(data());
     const ::pid_t initdb = run({binary("initdb"), "-D", data(), "-U", "owner", "-A", "trust", "-N",
                                 "-E", "UTF8", "--locale", "C"});
     int status = 0;
@@ -70,6 +71,26 @@ class PostgresServer {
     ::kill(process_, SIGQUIT);
     ::waitpid(process_, nullptr, 0);
     process_ = -1;
+  }
+
+  /// Makes a file the server's own.
+  static void give(const std::string& path) {
+    const ::passwd* user = server_user();
+    if (user != nullptr && ::chown(path.c_str(), user->pw_uid, user->pw_gid) != 0) {
+      throw std::runtime_error("chown " + path);
+    }
+  }
+
+  /// What the server has worked till now, s: itself, and those of its connections that have ended.
+  double processor_seconds() const {
+    std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    std::istringstream fields(text.substr(text.rfind(')') + 2));
+    const std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
+    double ticks = 0.0;
+    for (std::size_t i = 11; i < 15; ++i) ticks += std::stod(words.at(i));  // proc(5): utime on
+    return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
   }
 
   /// The folder of its data and its socket.

@@ -40,7 +40,7 @@ class PostgresStore {
   /// Throws FormatError for a later schema, Error for who may not.
   void prepare() {
     detail::PostgresConnection connection(conninfo_, silence_);
-    detail::migrate_schema(connection);
+    detail::migrate_schema(connection, detail::postgres_migrations);
   }
 
   /// Makes a site; for the owner.

@@ -2,7 +2,7 @@
 
 // ---- Objects: upright boxes. Of six faces three can be seen, and only these are drawn; of a box
 // that is a few pixels large, a point.
-const leastBox = 5;  // px
+const leastBox = { fine: 5, quick: 9 };  // px
 
 class BoxFaces {
   constructor(gl) {
@@ -34,7 +34,7 @@ class BoxFaces {
         base = record(18, 2).rgb * (axis == 0 ? 0.80 : axis == 1 ? 0.90 : 1.06);
         onFace = corner;
         vec2 across = axis == 0 ? halfSize.yz : axis == 1 ? halfSize.xz : halfSize.xy;
-        border = min(vec2(0.9), 1.4 * pixelAngle * length(away) / across);
+        border = min(vec2(0.3), 1.4 * pixelAngle * length(away) / across);
       }`, `
       in vec3 base;
       in vec2 onFace;
@@ -61,6 +61,7 @@ class BoxFaces {
     this.gl = gl;
     this.near = new Records(gl);
     this.far = new Records(gl);
+    this.taken = new TakenCells(4);
     this.count = 0;
   }
 
@@ -77,17 +78,21 @@ class BoxFaces {
     });
   }
 
-  // Those in the picture, by how large they are in it.
+  // Those in the picture, by how large they are in it; in a quick one, of points that fall together
+  // the first.
   select(frame) {
     const { all } = this;
     const [near, far] = [this.near.reserve(this.count), this.far.reserve(this.count)];
+    const least = frame.quick ? leastBox.quick : leastBox.fine;
+    if (frame.quick) this.taken.clear(frame);
     let [nearCount, farCount] = [0, 0];
     for (let at = 0; at < recordSize * this.count; at += recordSize) {
       const reach = all[at + 3] + all[at + 4] + all[at + 5];
       const depth = frame.depthInView(all[at], all[at + 1], all[at + 2], reach);
       if (depth === 0) continue;
       const size = (all[at + 3] + all[at + 5]) / Math.abs(depth) / frame.pixelAngle;
-      const list = size < leastBox ? far : near;
+      const list = size < least ? far : near;
+      if (list === far && frame.quick && !this.taken.take(all[at], all[at + 1], all[at + 2])) continue;
       const to = recordSize * (list === far ? farCount++ : nearCount++);
       for (let k = 0; k < recordSize; ++k) list[to + k] = all[at + k];
       list[to + 11] = size;

@@ -4,12 +4,13 @@
 class Scene {
   constructor(canvas, map, camera) {
     Object.assign(this, { canvas, map, camera });
-    const gl = canvas.getContext('webgl2', { antialias: true, alpha: false });
+    const gl = canvas.getContext('webgl2', { antialias: false, alpha: false });
     if (!gl) throw new Error('This browser has no WebGL 2, which the view is drawn with.');
     this.gl = gl;
     this.boxes = new BoxFaces(gl);
     this.cones = new ViewCones(gl);
-    this.path = new LineStrips(gl, 1);
+    this.fine = new FineTarget(gl);
+    this.path = new PathLine(gl);
     this.arcs = new LineStrips(gl, 14, bowShare);
     this.chosen = new LineStrips(gl, 1);
     this.grid = new GroundGrid(gl);
@@ -38,13 +39,13 @@ class Scene {
   }
 
   // One picture of the map as the camera sees it now.
-  prepare(share) {
-    const sharp = this.resize(share);
+  prepare(quick) {
+    const sharp = this.resize(quick ? 0.5 : 1);
     const { canvas, camera, map } = this;
     const m = this.toClip = camera.toClip;
     const [x, y] = camera.target;
     return {
-      toClip: m, sharp, eye: camera.eye, image: map.image,
+      toClip: m, sharp, quick, eye: camera.eye, image: map.image,
       coneLength: map.coneLength, viewport: [canvas.clientWidth, canvas.clientHeight],
       pixelAngle: 2 * Math.tan(camera.angle / 2) / canvas.clientHeight,
       middle: [x, y, map.floor], reach: camera.distance * 2.2,
@@ -64,7 +65,8 @@ class Scene {
 
   draw(quick) {  // see Pace
     const { gl, canvas } = this;
-    const frame = this.prepare(quick ? 0.5 : 1);
+    const frame = this.prepare(quick);
+    if (!quick) this.fine.begin(canvas.width, canvas.height);
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(...this.colors.page, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -73,6 +75,7 @@ class Scene {
     this.grid.draw(frame);
     for (const lines of [this.path, this.cones, this.arcs, this.chosen]) lines.draw(frame);
     gl.disable(gl.BLEND);
+    if (!quick) this.fine.end();
     return frame;
   }
 

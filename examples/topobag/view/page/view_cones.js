@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 // ---- Key frames: what each camera sees, as a thin pyramid, where it is large enough in the picture
-const leastCone = 4;  // px
+const leastCone = { fine: 4, quick: 10 };  // px
 
 class ViewCones {
   constructor(gl) {
@@ -36,10 +36,11 @@ class ViewCones {
 
   draw(frame) {
     const numbers = this.shown.reserve(this.cones.length);
+    const least = (frame.quick ? leastCone.quick : leastCone.fine) * frame.pixelAngle;
     let count = 0;
     for (const { place, turn, color } of this.cones) {
       const depth = frame.depthInView(place[0], place[1], place[2], 2 * frame.coneLength);
-      if (depth === 0 || frame.coneLength / Math.abs(depth) / frame.pixelAngle < leastCone) continue;
+      if (depth === 0 || frame.coneLength / Math.abs(depth) < least) continue;
       const to = recordSize * count++;
       numbers.set(place, to);
       numbers.set(turn, to + 4);

@@ -21,9 +21,9 @@ class WayLines {
       color: [...scene.colors[verdictOf(match).color], quiet] })));
     scene.cones.fill(cones);
     const starts = new Set(map.partStarts);
-    scene.path.fill(state.showKeyframes ? state.shownKeyframes.filter((i) => !starts.has(i))
-      .map((i) => ({ a: pointAt(map.camera, i - 1), b: pointAt(map.camera, i),
-        color: [...scene.colors.path, quiet], width: 2 })) : []);
+    scene.path.fill(state.showKeyframes ? state.shownKeyframes.map((i) => (
+      { place: pointAt(map.camera, i), begins: starts.has(i) })) : [],
+    [...scene.colors.path, quiet], 2);
   }
 
   fillArcs() {

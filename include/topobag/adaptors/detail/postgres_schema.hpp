@@ -98,17 +98,17 @@ GRANT INSERT (site, robot, session, seq, keyframe, run, stamp, label, tx, ty, tz
 
 /// The schema's version; 0 where there is none.
 inline std::int64_t postgres_version(PostgresConnection& connection) {
-  const PostgresResult found =
-      connection.run("SELECT to_regclass('topobag.meta') IS NOT NULL");
+  const PostgresResult found = connection.run("SELECT to_regclass('topobag.meta') IS NOT NULL");
   if (!found.flag(0, 0)) return 0;
   return connection.run("SELECT schema_version FROM topobag.meta").integer(0, 0);
 }
 
 /// Throws FormatError for a data base of another version.
-inline void require_schema(PostgresConnection& connection) {
+inline void require_schema(PostgresConnection& connection,
+                           std::int64_t known = postgres_schema_version) {
   const std::int64_t version = postgres_version(connection);
-  if (version == postgres_schema_version) return;
-  if (version > postgres_schema_version) {
+  if (version == known) return;
+  if (version > known) {
     throw FormatError(connection.name() + ": it is of a later version of topobag (schema " +
                       std::to_string(version) + "): update topobag");
   }
@@ -118,19 +118,20 @@ inline void require_schema(PostgresConnection& connection) {
                     "; its owner prepares it with `topobag fleet init`");
 }
 
-/// Makes an empty data base a fleet's map, or an older one of the present schema; two at a time
-/// are one after the other. Throws FormatError as `require_schema`, Error for who may not.
-inline void migrate_schema(PostgresConnection& connection) {
+/// Makes an empty data base a fleet's map, or an older one of the schema that the steps end with,
+/// in one transaction; two at a time are one after the other. Throws FormatError as
+/// `require_schema`, Error for who may not; then nothing has changed.
+template <std::size_t Count>
+void migrate_schema(PostgresConnection& connection, const std::array<const char*, Count>& steps) {
   PostgresTransaction transaction(connection);
   connection.run("SELECT pg_advisory_xact_lock(1413628231)");  // "TBAG", as in SQLite
-  for (auto step = static_cast<std::size_t>(postgres_version(connection));
-       step < postgres_migrations.size(); ++step) {
-    connection.run_all(postgres_migrations[step]);
+  for (auto step = static_cast<std::size_t>(postgres_version(connection)); step < Count; ++step) {
+    connection.run_all(steps[step]);
   }
   PostgresParameters version;
-  version.add(postgres_int8, postgres_schema_version);
+  version.add(postgres_int8, static_cast<std::int64_t>(Count));
   connection.run("UPDATE topobag.meta SET schema_version = $1 WHERE schema_version < $1", version);
-  require_schema(connection);
+  require_schema(connection, static_cast<std::int64_t>(Count));
   transaction.commit();
 }
 
