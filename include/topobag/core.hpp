@@ -13,6 +13,7 @@
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>
+#include <topobag/bag/image_comparison.hpp>
 #include <topobag/bag/indexed_bag.hpp>
 #include <topobag/bag/memory_usage.hpp>
 #include <topobag/bag/merge_options.hpp>
@@ -54,6 +55,7 @@
 #include <topobag/matching/bearing_chance.hpp>
 #include <topobag/matching/bearing_options.hpp>
 #include <topobag/matching/chance_model.hpp>
+#include <topobag/matching/class_affinity.hpp>
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/coincident_objects.hpp>
@@ -148,6 +150,9 @@
 #include <topobag/types/detection.hpp>
 #include <topobag/types/dynamics.hpp>
 #include <topobag/types/ids.hpp>
+#include <topobag/types/image_descriptor.hpp>
+#include <topobag/types/label_sum.hpp>
+#include <topobag/types/label_weights.hpp>
 #include <topobag/types/pose_with_covariance.hpp>
 #include <topobag/types/position_traits.hpp>
 #include <topobag/types/ranged_detection.hpp>

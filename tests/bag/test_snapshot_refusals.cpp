@@ -73,9 +73,9 @@ TEST_CASE("a refusal says what is wrong and what to do", "[bag][snapshot]") {
   damaged[30] ^= 1;
   CHECK(refusal(damaged) == "its header is damaged; take another copy");
   std::string later = good;
-  later[8] = 2;
+  later[8] = 3;
   CHECK(refusal(sealed(later)) ==
-        "it was saved by a later version of topobag (format 2): update topobag");
+        "it was saved by a later version of topobag (format 3): update topobag");
   std::string wide = good;
   wide[20] = 16;
   CHECK(refusal(sealed(wide)) == "its ids or classes are of another size than topobag's");

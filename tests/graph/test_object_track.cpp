@@ -105,3 +105,14 @@ TEST_CASE("an object looks like the mean of its sightings that say so", "[graph]
   nodes[2].appearance = Appearance(kind, Appearance::Bytes{0, 40});
   CHECK(track_of(nodes).fused(0.5).appearance == Appearance(kind, Appearance::Bytes{127, 127}));
 }
+
+TEST_CASE("an object may be what its sightings say together", "[graph]") {
+  std::vector<SemanticNode<>> nodes{voting(1, 0.5), voting(1, 0.5), voting(2, 1.0)};
+  CHECK(track_of(nodes).fused(0.5).label_weights.empty());
+  nodes[0].label_weights = LabelWeights({{ClassId{1}, 0.6}, {ClassId{2}, 0.4}});
+  const SemanticNode<> fused = track_of(nodes).fused(0.5);
+  CHECK(fused.label == ClassId{2});  // 0.2 + 1.0 against 0.3 + 0.5
+  REQUIRE(fused.label_weights.size() == 2);
+  CHECK(fused.label_weights.label(0) == ClassId{2});
+  CHECK(fused.label_weights.byte(1) == Approx(255.0 * 0.8 / 1.2).margin(1.0));
+}

@@ -52,3 +52,16 @@ TEST_CASE("a sampling policy may give a plain number", "[sensing]") {
   };
   CHECK(range_detections(detections, wall, camera, half)[0].z == 1.0);
 }
+
+TEST_CASE("what an object looks like and may be is kept with its depth", "[sensing]") {
+  const PinholeCamera<> camera{100.0, 100.0, 50.0, 50.0, 100, 100};
+  RangedDetection cup{{10.0, 10.0, 20.0, 20.0}, ClassId{1}, 0.5, 0.0, {}, {}};
+  cup.appearance = Appearance(AppearanceKind("a", 2), Appearance::Bytes{1, 2});
+  cup.label_weights = LabelWeights({{ClassId{1}, 1.0}, {ClassId{2}, 0.5}});
+  const auto far = [](const Eigen::Vector2d&) -> std::optional<double> { return 2.0; };
+  const auto ranged = range_detections(std::vector<RangedDetection>{cup}, far, camera);
+  REQUIRE(ranged.size() == 1);
+  CHECK(ranged[0].z == 2.0);
+  CHECK(ranged[0].appearance == cup.appearance);
+  CHECK(ranged[0].label_weights == cup.label_weights);
+}

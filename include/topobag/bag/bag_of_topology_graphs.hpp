@@ -15,6 +15,7 @@
 #include <topobag/bag/detail/index/entry_places.hpp>
 #include <topobag/bag/detail/index/free_ids.hpp>
 #include <topobag/bag/detail/index/histogram_index.hpp>
+#include <topobag/bag/detail/storage/descriptor_kinds.hpp>
 #include <topobag/bag/detail/storage/entry_key.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
@@ -50,8 +51,8 @@ class BagOfTopologyGraphs {
   explicit BagOfTopologyGraphs(Similarity similarity = {}) : similarity_(std::move(similarity)) {}
 
   /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
-  /// as `EntryInfo::validate` and, of a `TopologyGraph`, `require_savable` and for descriptors of
-  /// another kind than the bag's. O(log n + descriptor).
+  /// as `EntryInfo::validate` and, of a `TopologyGraph`, `require_savable` and for descriptors, of
+  /// objects or of the image, of another kind than the bag's. O(log n + descriptor).
   void add(KeyframeId id, Graph graph, EntryInfo info = {}) {
     if (contains(id)) {
       throw InvalidId("key frame " + std::to_string(value(id)) +
@@ -91,16 +92,16 @@ class BagOfTopologyGraphs {
   template <typename Other>
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
     options.validate();
-    AppearanceKind kind = appearance_kind_;
+    detail::DescriptorKinds kinds = kinds_;
     using Descriptor = decltype(descriptor_of(std::declval<const Graph&>()));
     std::map<KeyframeId, std::pair<EntryPointer, Descriptor>> joining;
     other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
-      kind = detail::kind_with(kind, graph);
+      kinds = kinds.with(graph, info);
       joining.emplace(
           id, std::make_pair(Entry::made(graph, options.moved(info)), descriptor_of(graph)));
     });
     const auto new_ids = detail::free_ids(joining, entries_);
-    appearance_kind_ = kind;
+    kinds_ = kinds;
     for (auto& [id, joined] : joining) {
       const KeyframeId new_id = new_ids.at(id);
       place(new_id, *entries_.emplace(new_id, std::move(joined.first)).first->second,
@@ -121,7 +122,7 @@ class BagOfTopologyGraphs {
     entries_.clear();
     places_.clear();
     index_.clear();
-    appearance_kind_ = {};
+    kinds_ = {};
   }
 
   bool contains(KeyframeId id) const { return entries_.count(id) != 0; }
@@ -134,7 +135,10 @@ class BagOfTopologyGraphs {
     return places_.count().contents().holding(objects, groups, places());
   }
   /// The one kind of the descriptors that were added; of length 0 where none was.
-  AppearanceKind appearance_kind() const noexcept { return appearance_kind_; }
+  AppearanceKind appearance_kind() const noexcept { return kinds_.appearance; }
+
+  /// The same of the whole images' descriptors.
+  ImageKind image_kind() const noexcept { return kinds_.image; }
 
   /// The key frame's graph, or nothing.
   std::optional<Graph> find(KeyframeId id) const {
@@ -169,36 +173,26 @@ class BagOfTopologyGraphs {
   }
 
   /// The entries most similar to `graph`, best first, ties by id. O(n · similarity). An options'
-  /// `filter` need not be asked of an entry that is not among the best anyway.
+  /// `filter` need not be asked of an entry that is not among the best anyway. Throws as
+  /// `ImageComparison::validate`.
   std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {
-    const auto key = key_of(graph);
+    options.image.validate(kinds_.image);
+    const auto key = detail::query_key(similarity_, graph);
     if constexpr (indexed) {
       const bool restricts = options.restricts();
-      return index_.query(key, options, [&](KeyframeId id) {
+      const auto admits = [&](KeyframeId id) {
         return !restricts || options.admits(id, entries_.find(id)->second->info);
-      });
-    } else {
-      return detail::compare_all(entries_, options, [&](const Entry& entry) {
-        if constexpr (precomputed) {
-          return similarity_.similarity(key, entry.key);
-        } else {
-          return similarity_(*key, entry.graph);
-        }
-      });
+      };
+      if (!options.image.scores()) return index_.query(key, options, admits);
     }
+    return detail::compare_all(entries_, options, [&](const Entry& entry) {
+      return options.image.score(detail::similarity_to(similarity_, key, entry), entry.info.image);
+    });
   }
 
  private:
   static constexpr bool precomputed = has_descriptor_v<Similarity, Graph>;
   static constexpr bool indexed = is_jaccard_v<Similarity>;
-
-  auto key_of(const Graph& graph) const {
-    if constexpr (precomputed) {
-      return similarity_.descriptor(graph);
-    } else {
-      return &graph;
-    }
-  }
 
   using Entry = detail::BagEntry<Graph, Similarity>;
   using EntryPointer = std::shared_ptr<Entry>;  ///< for_each's stay while it walks
@@ -214,10 +208,10 @@ class BagOfTopologyGraphs {
   /// The entry and its descriptor, and that what its objects look like is of the bag's kind from
   /// now on. What may throw comes first.
   auto taken_in(Graph graph, EntryInfo info) {
-    const AppearanceKind kind = detail::kind_with(appearance_kind_, graph);
+    const detail::DescriptorKinds kinds = kinds_.with(graph, info);
     auto entry = Entry::made(std::move(graph), std::move(info));
     auto descriptor = descriptor_of(entry->graph);
-    appearance_kind_ = kind;
+    kinds_ = kinds;
     return std::make_pair(std::move(entry), std::move(descriptor));
   }
 
@@ -239,7 +233,7 @@ class BagOfTopologyGraphs {
   Similarity similarity_;
   std::map<KeyframeId, EntryPointer> entries_;
   detail::EntryPlaces places_;
-  AppearanceKind appearance_kind_;
+  detail::DescriptorKinds kinds_;
   std::conditional_t<indexed, detail::HistogramIndex, detail::Nothing> index_;
 };
 

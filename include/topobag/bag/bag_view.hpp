@@ -11,6 +11,7 @@
 
 #include <topobag/bag/detail/index/bag_parts.hpp>
 #include <topobag/bag/detail/index/bag_search.hpp>
+#include <topobag/bag/detail/index/image_search.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/memory_usage.hpp>
 #include <topobag/bag/search_result.hpp>
@@ -42,7 +43,9 @@ class BasicBagView {
     return parts_.contents->holding(objects, groups, parts_.places);
   }
   /// The one kind of the descriptors in the bag; of length 0 where none carries one.
-  AppearanceKind appearance_kind() const noexcept { return parts_.appearance_kind; }
+  AppearanceKind appearance_kind() const noexcept { return parts_.kinds.appearance; }
+  /// The one kind of the whole images' descriptors; of length 0 where no entry has one.
+  ImageKind image_kind() const noexcept { return parts_.kinds.image; }
   bool contains(KeyframeId id) const { return parts_.find(id).has_value(); }
 
   /// The key frame's graph as it is stored, or nothing.
@@ -60,7 +63,7 @@ class BasicBagView {
   }
 
   /// The entries most similar to `graph`, best first, ties by id: the same ids and scores, to the
-  /// last bit, as comparing it with every stored graph.
+  /// last bit, as comparing it with every stored graph. Throws as `ImageComparison::validate`.
   std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {
     return search(graph, options).candidates;
   }
@@ -71,10 +74,15 @@ class BasicBagView {
   ///                     read depends on the bag and the query alone.
   SearchResult search(const Graph& graph, const QueryOptions& options = {},
                       std::size_t max_visited = std::numeric_limits<std::size_t>::max()) const {
+    options.image.validate(parts_.kinds.image);
     if (options.max_results == 0) {
       SearchResult nothing;
       nothing.entries = size();
       return nothing;
+    }
+    if (options.image.scores()) {
+      return detail::ImageSearch<Similarity>(parts_, *similarity_, graph, options, max_visited)
+          .run();
     }
     return detail::BagSearch<Similarity>(parts_, *similarity_, graph, options, max_visited).run();
   }
@@ -103,6 +111,7 @@ class BasicBagView {
     }
     for (std::size_t slot = 0; slot < parts_.head_size; ++slot) {
       usage.graphs += (*parts_.head)[slot].graph.capacity();
+      usage.entries += (*parts_.head)[slot].info.image.kind().length();
     }
     parts_.for_each([&](detail::EntryPlace place) {
       usage.nodes += detail::node_count(parts_.entry(place).graph);

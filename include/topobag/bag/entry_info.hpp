@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/types/image_descriptor.hpp>
 #include <topobag/types/rigid_motion.hpp>
 #include <topobag/types/stamp.hpp>
 #include <topobag/types/utf8.hpp>
@@ -20,6 +21,7 @@ struct EntryInfo {
   std::uint32_t session = 0;                        ///< which run of the robot
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< pose of the camera in the map
   std::string label;                                ///< the user's own: a map, a floor, a robot
+  ImageDescriptor image{};  ///< what the whole image looks like, by a method of the user's
 
   /// Throws InvalidValue for a stamp that is no time in seconds, a pose that is no rigid motion and
   /// a label that is not UTF-8.

@@ -15,6 +15,7 @@
 #include <topobag/bag/detail/codec/edge_code.hpp>
 #include <topobag/bag/detail/codec/graph_header.hpp>
 #include <topobag/bag/detail/codec/gravity_code.hpp>
+#include <topobag/bag/detail/codec/label_code.hpp>
 #include <topobag/bag/detail/codec/node_columns.hpp>
 #include <topobag/bag/detail/codec/view_columns.hpp>
 #include <topobag/bag/savable_graph.hpp>
@@ -28,26 +29,28 @@ inline namespace v0 {
 inline constexpr unsigned graph_codec_version = 2;
 
 /// What `encode` writes the graph in: the least version that can hold it, so that nothing grows and
-/// an older topobag reads what it can. 1, and 2 with gravity, appearance or views that know depth.
+/// an older topobag reads what it can. 1, and 2 with gravity, appearance, label weights or views
+/// that know depth.
 template <typename Scalar>
 unsigned codec_version_for(const TopologyGraph<Scalar>& graph,
                            ViewSection views = ViewSection::kept) noexcept {
   const bool depth = views == ViewSection::kept && detail::any_depth(graph.views());
-  return graph.gravity() || graph.appearance_kind().length() > 0 || depth ? 2 : 1;
+  const bool described = graph.appearance_kind().length() > 0 || detail::any_weights(graph.nodes());
+  return graph.gravity() || described || depth ? 2 : 1;
 }
 
 /// A graph in few bytes: some 180 for 12 objects, the views not counted. The same bytes on every
 /// machine; for memory, file, data base and radio alike.
 ///
-/// Kept exactly: order, classes, edges, appearance, the depth of views, what is absent. Rounded, by
-/// at most: positions and depths 2 mm along each axis (3.4 mm in all), at any distance; sizes 4 mm;
-/// pixels a half; confidence and existence 0.004; standard deviations 4.5 % along the viewing ray
-/// and across it, which is the shape that `NodeNoise` gives a covariance and to which any other is
-/// rounded off. Of views: translation 2 mm, rotation 0.2 mrad an axis (within 1 mrad of half a
-/// turn 1.2 mrad in all), intrinsics 1/32 px, boxes half a pixel. Of gravity: direction 0.3 mrad,
-/// deviation 4.5 %. Saturated: pixels and boxes at ±2^20 px, negative sizes at 0, confidence to [0,
-/// 1], existence to [1/127, 1], standard deviations to [1 mm, 64 m], gravity's to [0.24 mrad, 14.7
-/// rad].
+/// Kept exactly: order, classes and their weights, edges, appearance, the depth of views, what is
+/// absent. Rounded, by at most: positions and depths 2 mm along each axis (3.4 mm in all), at any
+/// distance; sizes 4 mm; pixels a half; confidence and existence 0.004; standard deviations 4.5 %
+/// along the viewing ray and across it, which is the shape that `NodeNoise` gives a covariance and
+/// to which any other is rounded off. Of views: translation 2 mm, rotation 0.2 mrad an axis (within
+/// 1 mrad of half a turn 1.2 mrad in all), intrinsics 1/32 px, boxes half a pixel. Of gravity:
+/// direction 0.3 mrad, deviation 4.5 %. Saturated: pixels and boxes at ±2^20 px, negative sizes at
+/// 0, confidence to [0, 1], existence to [1/127, 1], standard deviations to [1 mm, 64 m], gravity's
+/// to [0.24 mrad, 14.7 rad].
 ///
 /// `encode(decode(encode(graph)))` gives the same bytes. Throws as `require_savable`. O(n² + m).
 template <typename Scalar>
@@ -69,6 +72,7 @@ std::vector<std::uint8_t> encode(const TopologyGraph<Scalar>& graph,
   if (graph.gravity()) detail::put_gravity(writer, *graph.gravity());
   if (header.appearance) detail::put_appearances(writer, graph.nodes(), graph.appearance_kind());
   if (header.depth) detail::put_depths(writer, graph.views());
+  detail::put_label_weights(writer, graph.nodes());
   return writer.take();
 }
 
@@ -83,7 +87,8 @@ TopologyGraph<Scalar> decode(const std::uint8_t* data, std::size_t size) {
                       "; this version of topobag reads up to " +
                       std::to_string(graph_codec_version) + ": update topobag, or it is no graph");
   }
-  auto nodes = detail::NodeColumns(reader).nodes<Scalar>();
+  const detail::NodeColumns columns(reader, header.version);
+  auto nodes = columns.nodes<Scalar>();
   EdgeList edges = detail::get_edges(reader, nodes.size());
   std::vector<View<Scalar>> views;
   if (header.views) views = detail::ViewColumns(reader).template views<Scalar>();
@@ -91,6 +96,7 @@ TopologyGraph<Scalar> decode(const std::uint8_t* data, std::size_t size) {
   if (header.gravity) gravity = detail::get_gravity<Scalar>(reader);
   if (header.appearance) detail::get_appearances(reader, nodes);
   if (header.depth) detail::get_depths(reader, views);
+  detail::get_label_weights(reader, nodes, [&](std::size_t i) { return columns.has_weights(i); });
   reader.finish();
   return TopologyGraph<Scalar>(std::move(nodes), std::move(edges), std::move(views), gravity);
 }

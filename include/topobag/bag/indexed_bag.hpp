@@ -72,14 +72,14 @@ class BasicIndexedBag {
   }
 
   /// Puts a key frame's graph into the bag. Throws InvalidId if `id` is there already, InvalidValue
-  /// as `EntryInfo::validate` and `require_savable`, and for descriptors of another kind than the
-  /// bag's. O(n² + log n) for n nodes, amortised.
+  /// as `EntryInfo::validate` and `require_savable`, and for descriptors, of objects or of the
+  /// image, of another kind than the bag's. O(n² + log n) for n nodes, amortised.
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
     if (contains(id)) {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
-    detail::BagParts next = with_kind_of(graph);
+    detail::BagParts next = with_kinds_of(graph, info);
     detail::append(next, make_entry(id, graph, info), *similarity_);
     places_.add(id, info, class_counts(graph.nodes()));
     publish(std::move(next));
@@ -92,7 +92,7 @@ class BasicIndexedBag {
       throw InvalidId("key frame " + std::to_string(value(id)) + " is not in the bag: use add");
     }
     detail::HeadBlock::Entry entry = make_entry(id, graph, info);
-    detail::BagParts next = with_kind_of(graph);
+    detail::BagParts next = with_kinds_of(graph, info);
     const auto [info_before, objects_before] = places_.placed(next, *place);
     detail::remove(next, *place, *similarity_);
     detail::append(next, std::move(entry), *similarity_);
@@ -136,8 +136,7 @@ class BasicIndexedBag {
   std::map<KeyframeId, KeyframeId> merge(const View& other, const MergeOptions& options = {}) {
     options.validate();
     const detail::BagParts& theirs = other.parts_;
-    const AppearanceKind kind =
-        common_kind(parts().appearance_kind, theirs.appearance_kind, "the other bag");
+    const detail::DescriptorKinds kinds = parts().kinds.with(theirs.kinds);
     auto new_ids = detail::free_ids(theirs.by_id(), parts().by_id());
     detail::BagParts next = detail::sealed(parts(), *similarity_);
     detail::PartBuilder<Similarity> builder(*similarity_);
@@ -155,7 +154,7 @@ class BasicIndexedBag {
     auto sealed_parts = std::make_shared<detail::BagParts::Sealed>(*next.sealed);
     for (detail::SealedPart& part : builder.finish()) sealed_parts->push_back(std::move(part));
     next.sealed = std::move(sealed_parts);
-    next.appearance_kind = kind;
+    next.kinds = kinds;
     next.live += theirs.live;
     places_.recount(next);
     publish(std::move(next));
@@ -185,7 +184,7 @@ class BasicIndexedBag {
     detail::BagParts next;
     next.sealed = std::make_shared<const detail::BagParts::Sealed>(builder.finish());
     next.live = old.live;
-    next.appearance_kind = old.appearance_kind;
+    next.kinds = old.kinds;
     publish(std::move(next));
   }
 
@@ -199,6 +198,8 @@ class BasicIndexedBag {
   }
   /// The one kind of the descriptors that were added; of length 0 where none was.
   AppearanceKind appearance_kind() const { return view()->appearance_kind(); }
+  /// The same of the whole images' descriptors.
+  ImageKind image_kind() const { return view()->image_kind(); }
   bool contains(KeyframeId id) const { return view()->contains(id); }
   std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }
   std::optional<EntryInfo> info(KeyframeId id) const { return view()->info(id); }
@@ -215,11 +216,10 @@ class BasicIndexedBag {
   /// For the writer, who alone replaces the view.
   const detail::BagParts& parts() const { return view_->parts_; }
 
-  /// The parts as they are, ready for the graph's descriptors.
-  detail::BagParts with_kind_of(const Graph& graph) const {
+  /// The parts as they are, ready for the descriptors of the graph's objects and of the image.
+  detail::BagParts with_kinds_of(const Graph& graph, const EntryInfo& info) const {
     detail::BagParts next = parts();
-    next.appearance_kind =
-        common_kind(next.appearance_kind, graph.appearance_kind(), "the key frame");
+    next.kinds = next.kinds.with(graph, info);
     return next;
   }
 

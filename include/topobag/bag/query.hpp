@@ -10,6 +10,7 @@
 
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/image_comparison.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -43,24 +44,27 @@ struct QueryOptions {
   double min_similarity = 0.0;   ///< similarity below which an entry is no candidate
   ExcludedNeighbors exclude{};   ///< key frames of the present visit
   EntryFilter among{};           ///< by id, time, session, label and place
+  ImageComparison image{};       ///< how like the whole images are, as a gate or in the score
   std::function<bool(KeyframeId, const EntryInfo&)>
       filter{};  ///< when set, only entries it returns true for
 
   /// Whether there is an entry that might not be asked.
   bool restricts() const {
-    return among.restricts() || exclude.id || exclude.stamp || static_cast<bool>(filter);
+    return among.restricts() || exclude.id || exclude.stamp || image.restricts() ||
+           static_cast<bool>(filter);
   }
 
   /// Whether an entry is asked at all.
   bool admits(KeyframeId id, const EntryInfo& info) const {
-    return among.contains(id, info) && !exclude.contains(id, info) && (!filter || filter(id, info));
+    return among.contains(id, info) && !exclude.contains(id, info) && image.admits(info) &&
+           (!filter || filter(id, info));
   }
 };
 
 /// An entry of the bag that resembles the query.
 struct Candidate {
   KeyframeId id{};          ///< of the entry
-  double similarity = 0.0;  ///< to the query, in [0, 1]
+  double similarity = 0.0;  ///< to the query, in [0, 1]; with the image's share, if it has one
 
   /// Best first: by falling similarity, ties by id.
   friend bool operator<(const Candidate& l, const Candidate& r) noexcept {

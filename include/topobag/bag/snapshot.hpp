@@ -85,7 +85,8 @@ void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {})
   header.scalar_bytes = sizeof(Scalar);
   header.entries = bag.size();
   header.catalog_fingerprint = options.catalog_fingerprint;
-  bag.for_each([&](KeyframeId, const EntryInfo&, const typename Bag::Graph& graph) {
+  bag.for_each([&](KeyframeId, const EntryInfo& info, const typename Bag::Graph& graph) {
+    if (info.image.known()) header.format_version = 2;
     header.codec_version =
         std::max<std::uint32_t>(header.codec_version, codec_version_for(graph, options.views));
   });

@@ -38,9 +38,10 @@ class TopologyGraph {
   /// @param views    the cameras that looked for the nodes; may be empty (see `View`)
   /// @param gravity  which way is down, in the graph's frame, where it is known
   /// Throws InvalidValue with the node's or edge's index for a number that is not finite, a
-  /// covariance that is neither zero nor positive definite, an appearance of another kind than that
-  /// of a node before, an edge from a node to itself, or an end beyond the nodes; and as
-  /// `View::validate`, and `normalized` of the gravity. O(n + m log m).
+  /// covariance that is neither zero nor positive definite, label weights whose best is not the
+  /// label, an appearance of another kind than that of a node before, an edge from a node to
+  /// itself, or an end beyond the nodes; and as `View::validate`, and `normalized` of the gravity.
+  /// O(n + m log m).
   explicit TopologyGraph(std::vector<Node> nodes, EdgeList edges = {},
                          std::vector<View<Scalar>> views = {},
                          std::optional<Gravity<Scalar>> gravity = std::nullopt)
@@ -110,6 +111,11 @@ class TopologyGraph {
       throw InvalidValue("node " + std::to_string(index) +
                              " has a covariance that is not positive definite; zero = not modelled",
                          index);
+    }
+    if (!has_best_label(node.label, node.label_weights)) {
+      throw InvalidValue(
+          "node " + std::to_string(index) + " has label weights whose best is not its label",
+          index);
     }
   }
 

@@ -16,6 +16,7 @@
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/appearance_model.hpp>
+#include <topobag/matching/class_affinity.hpp>
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
@@ -59,14 +60,16 @@ struct ChanceModel {
   double relabeling = 0.45;     ///< −log10 P of the label of a pair of two classes of one group
   std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
                                               ///< candidate's
-  AppearanceModel appearance{};               ///< what the looks of a pair say
+  ClassAffinity
+      affinity{};  ///< with it, that is −log10 of it, whatever the groups and the confusion
+  AppearanceModel appearance{};          ///< what the looks of a pair say
   std::optional<LayoutPrior> layouts{};  ///< with it, chance strews the matched objects as they
                                          ///< usually stand
 
   /// −log10 of the expected number of false matches. 0 for fewer than three pairs, or two where the
   /// vertical is known. O(n + k).
-  /// @param pairs   of nodes with positions, one-to-one, each within a group. Throws InvalidValue
-  ///                for others: there is no way to choose them
+  /// @param pairs   of nodes with positions, one-to-one, each within a group or of a common label.
+  ///                Throws InvalidValue for others: there is no way to choose them
   /// @param points  their positions and covariances, parallel to `pairs`
   /// @param pose    fitted to `points`, with its covariance
   /// @param vertical  where both frames know it
@@ -78,14 +81,16 @@ struct ChanceModel {
                       const std::optional<SharedVertical>& vertical = std::nullopt) const {
     if (pairs.size() < (vertical ? 2U : 3U)) return 0.0;
     double significance =
-        log10_bayes_factor(points, pose, vertical) - log10_ways(candidate, query, pairs, groups);
+        log10_bayes_factor(points, pose, vertical) -
+        log10_ways(candidate, query, pairs, joined_by(pairs, candidate, query, groups, affinity));
     SizeEvidence sizes_so_far(sizes);
     double looks = 0.0;  // log10 odds of the pairs, added up
     for (const Correspondence& pair : pairs) {
       const auto& p = candidate.node(pair.candidate);
       const auto& q = query.node(pair.query);
-      if (p.label != q.label) {
-        significance -= confusion ? confusion->cost(p.label, q.label) : relabeling;
+      if (p.label != q.label || detail::has_weights(p, q)) {
+        const double in_group = confusion ? confusion->cost(p.label, q.label) : relabeling;
+        significance -= label_cost(p, q, groups, affinity, in_group);
       }
       significance += sizes_so_far.log10_factor(p.label, p.size, q.size);
       looks += appearance.log10_odds(p.appearance, q.appearance);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/class_affinity.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/detail/bit_matrix.hpp>
@@ -26,6 +27,8 @@ inline namespace v0 {
 /// When two nodes may be one object, and when two such pairs agree.
 struct ConsistencyOptions {
   ClassGroups classes{};        ///< same class, and what the user adds
+  ClassAffinity affinity{};     ///< when set, decides instead (see `may_be_one`)
+  double min_affinity = 0.05;   ///< of two nodes' labels that may be one object's
   double max_size_ratio = 3.0;  ///< between the diagonals of two objects; a cut box shrinks
   double deviations = 2.5;      ///< standard deviations that two distances may differ by
   double min_tolerance = default_sensor.least_tolerance;  ///< m, whatever the covariances say
@@ -105,7 +108,7 @@ class ConsistencyGraph {
   static std::vector<Correspondence> best_pairs(const TopologyGraph<Scalar>& candidate,
                                                 const TopologyGraph<Scalar>& query,
                                                 const ConsistencyOptions& options, bool& complete) {
-    auto pairs = detail::offered_pairs(candidate, query, options.classes, options.max_size_ratio);
+    auto pairs = detail::offered_pairs(candidate, query, options);
     complete = pairs.size() <= options.max_pairs;
     if (!complete) detail::keep_telling(pairs, candidate, query, options.max_pairs);
     return pairs;

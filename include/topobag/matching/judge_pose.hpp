@@ -27,8 +27,8 @@ std::optional<RelativePose> judge_pose(const TopologyGraph<Scalar>& candidate,
                                        const TopologyGraph<Scalar>& query,
                                        const Eigen::Isometry3d& T_candidate_query,
                                        const MatchOptions& options = {}) {
-  const std::vector<Correspondence> pairs = detail::offered_pairs(
-      candidate, query, options.consistency.classes, options.consistency.max_size_ratio);
+  const std::vector<Correspondence> pairs =
+      detail::offered_pairs(candidate, query, options.consistency);
   std::vector<PointPair> points;
   points.reserve(pairs.size());
   for (const Correspondence& pair : pairs) {

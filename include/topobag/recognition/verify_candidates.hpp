@@ -106,6 +106,8 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
   const typename Bag::Graph& query = known.graph();
   const auto places_for = [&](const ClassCounts& objects) {
     const auto& classes = options.matching.consistency.classes;
+    // Which classes an affinity takes for others' is not known beforehand: then every place may.
+    if (options.matching.consistency.affinity) return places;
     return std::min(
         places, places_holding(bag, objects, classes, places, 0) + options.decision.more_places);
   };

@@ -112,6 +112,20 @@ void drop_duplicates(LiftedNodes<Scalar>& lifted, const SameObject& same_object)
   lifted = std::move(unique);
 }
 
+/// Notes what else a node may be. Throws UnknownClass for a class that the catalog does not hold,
+/// InvalidValue where another one than the node's is the best, both with the detection's index.
+template <typename Scalar>
+void set_label_weights(SemanticNode<Scalar>& node, const LabelWeights& weights,
+                       const ClassCatalog& catalog, std::size_t index) {
+  for (std::size_t i = 0; i < weights.size(); ++i) require_known(catalog, weights.label(i), index);
+  if (!has_best_label(node.label, weights)) {
+    throw InvalidValue(
+        "detection " + std::to_string(index) + " has label weights whose best is not its label",
+        index);
+  }
+  node.label_weights = weights;
+}
+
 /// eq. 1, 2, 5 for every detection; `depth_of(detection, box)` gives metres or nothing.
 template <typename Detections, typename DepthOf, typename Scalar>
 LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth_of,
@@ -164,6 +178,7 @@ LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth
       }
       node.confidence = static_cast<Scalar>(confidence);
       node.appearance = appearance_of(detection);
+      set_label_weights(node, label_weights_of(detection), catalog, index);
       lifted.nodes.push_back(std::move(node));
       lifted.sources.push_back(index);
     }

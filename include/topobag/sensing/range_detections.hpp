@@ -15,8 +15,8 @@
 namespace topobag {
 inline namespace v0 {
 
-/// Gives every detection its depth, and keeps its appearance, so that lifting, occlusion and the
-/// feature mask sample it once.
+/// Gives every detection its depth, and keeps its appearance and label weights, so that lifting,
+/// occlusion and the feature mask sample it once.
 ///
 /// @param detections  any range whose elements fit `detection_traits`
 /// @param depth       depth source: `pixel -> optional metres`
@@ -46,7 +46,8 @@ std::vector<RangedDetection> range_detections(const Detections& detections, cons
     std::optional<double> z;
     if (box.is_valid()) z = sampling(depth, box);
     ranged.push_back({box, Traits::label(detection), Traits::confidence(detection),
-                      z && std::isfinite(*z) && *z > 0.0 ? *z : 0.0, appearance_of(detection)});
+                      z && std::isfinite(*z) && *z > 0.0 ? *z : 0.0, appearance_of(detection),
+                      label_weights_of(detection)});
   }
   return ranged;
 }

@@ -10,6 +10,7 @@
 #include <topobag/types/appearance.hpp>
 #include <topobag/types/bounding_box.hpp>
 #include <topobag/types/ids.hpp>
+#include <topobag/types/label_weights.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -34,6 +35,10 @@ struct Detection {
 /// and, where it describes what the object looks like (a re-identification network, CLIP),
 ///
 ///     static Appearance appearance(const T&);         // unknown where it has none
+///
+/// and, where it says what else the object may be (the best five of its scores),
+///
+///     static LabelWeights label_weights(const T&);    // none where it is sure
 template <typename T>
 struct detection_traits {};
 
@@ -93,6 +98,15 @@ struct is_described_detection<
            decltype(detection_traits<T>::appearance(std::declval<const T&>())), Appearance>>>
     : is_detection<T> {};
 
+template <typename T, typename = void>
+struct is_weighted_detection : std::false_type {};
+
+template <typename T>
+struct is_weighted_detection<
+    T, std::enable_if_t<std::is_convertible_v<
+           decltype(detection_traits<T>::label_weights(std::declval<const T&>())), LabelWeights>>>
+    : is_detection<T> {};
+
 }  // namespace detail
 
 /// Whether `T` fits the detection concept (C++20: `concept DetectionType`).
@@ -123,6 +137,20 @@ template <typename T>
 Appearance appearance_of(const T& detection) {
   if constexpr (is_described_detection_v<T>) {
     return detection_traits<T>::appearance(detection);
+  } else {
+    return {};
+  }
+}
+
+/// Whether `T` is a detection that says what else its object may be.
+template <typename T>
+inline constexpr bool is_weighted_detection_v = detail::is_weighted_detection<T>::value;
+
+/// What the detection says that its object may be; nothing where `T` says none.
+template <typename T>
+LabelWeights label_weights_of(const T& detection) {
+  if constexpr (is_weighted_detection_v<T>) {
+    return detection_traits<T>::label_weights(detection);
   } else {
     return {};
   }

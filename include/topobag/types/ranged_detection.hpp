@@ -11,16 +11,18 @@
 namespace topobag {
 inline namespace v0 {
 
-/// A detection that knows its depth, and may say what its object looks like.
+/// A detection that knows its depth, and may say what its object looks like and what else it may
+/// be.
 struct RangedDetection {
-  BoundingBox box;          ///< px
-  ClassId label{};          ///< class, numbered as in the catalog in use
-  double confidence = 1.0;  ///< detector's score in [0, 1]
-  double z = 0.0;           ///< depth, m; 0 = unknown
-  Appearance appearance{};  ///< of its object; unknown by default
+  BoundingBox box;               ///< px
+  ClassId label{};               ///< class, numbered as in the catalog in use
+  double confidence = 1.0;       ///< detector's score in [0, 1]
+  double z = 0.0;                ///< depth, m; 0 = unknown
+  Appearance appearance{};       ///< of its object; unknown by default
+  LabelWeights label_weights{};  ///< what it may be; none by default
 };
 
-/// The library's own detection with a depth and an appearance.
+/// The library's own detection with a depth, an appearance and label weights.
 template <>
 struct detection_traits<RangedDetection> {
   static const BoundingBox& box(const RangedDetection& d) { return d.box; }
@@ -31,6 +33,8 @@ struct detection_traits<RangedDetection> {
   }
   /// What the object looks like, where that is known.
   static const Appearance& appearance(const RangedDetection& d) { return d.appearance; }
+  /// What the object may be, where that is known.
+  static const LabelWeights& label_weights(const RangedDetection& d) { return d.label_weights; }
 };
 
 }  // namespace v0

@@ -8,6 +8,7 @@
 
 #include <topobag/types/appearance.hpp>
 #include <topobag/types/ids.hpp>
+#include <topobag/types/label_weights.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -26,6 +27,7 @@ struct SemanticNode {
   using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
 
   ClassId label{};                  ///< class, c of eq. 1
+  LabelWeights label_weights{};     ///< what it may be, `label` among the best; none: that alone
   std::optional<Vector2> pixel;     ///< box centre (u, v), px; absent behind the camera
   Scalar z = Scalar(0);             ///< depth, m; 0 = unknown
   std::optional<Vector3> position;  ///< (X, Y, Z) in the camera frame, m; absent without depth

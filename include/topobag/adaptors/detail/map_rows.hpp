@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <topobag/bag/detail/storage/entry_key.hpp>
+#include <topobag/bag/detail/storage/descriptor_kinds.hpp>
 #include <topobag/bag/detail/storage/entry_record.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/merge_options.hpp>

@@ -11,6 +11,7 @@
 
 #include <topobag/adaptors/detail/sqlite_catalog.hpp>
 #include <topobag/adaptors/detail/sqlite_connection.hpp>
+#include <topobag/adaptors/detail/sqlite_images.hpp>
 #include <topobag/adaptors/detail/sqlite_row.hpp>
 #include <topobag/adaptors/detail/sqlite_schema.hpp>
 #include <topobag/adaptors/detail/sqlite_session.hpp>
@@ -56,11 +57,13 @@ class SqliteFile {
   template <typename Graph>
   void insert(const EntryRecord& entry, const Graph& graph) {
     write_row(prepared(insert_, sqlite_insert), entry, graph, options_.catalog);
+    write_image(connection_, entry.id, entry.info.image);
   }
   /// The same.
   template <typename Graph>
   void update(const EntryRecord& entry, const Graph& graph) {
     write_row(prepared(update_, sqlite_update), entry, graph, options_.catalog);
+    write_image(connection_, entry.id, entry.info.image);
   }
   void move(KeyframeId id, const Eigen::Isometry3d& T_world_camera) {
     const auto pose = pose_columns(T_world_camera);
@@ -95,9 +98,12 @@ class SqliteFile {
  private:
   template <typename F>
   void read(SqliteStatement& rows, const F& f) const {
+    const SqliteImages images(connection_);
     while (rows.step()) {
       try {
-        f(read_row(rows));
+        EntryRecord entry = read_row(rows);
+        entry.info.image = images.of(entry.id);
+        f(std::move(entry));
       } catch (const Error& error) {
         throw FormatError(path() + ": key frame " +
                           std::to_string(static_cast<std::uint64_t>(rows.integer(0))) +

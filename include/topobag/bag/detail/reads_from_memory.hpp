@@ -75,6 +75,11 @@ class ReadsFromMemory {
   auto appearance_kind() const -> decltype(std::declval<const B&>().appearance_kind()) {
     return bag_.appearance_kind();
   }
+  /// The same of the whole images' descriptors.
+  template <typename B = Bag>
+  auto image_kind() const -> decltype(std::declval<const B&>().image_kind()) {
+    return bag_.image_kind();
+  }
 
  protected:
   explicit ReadsFromMemory(Bag bag) : bag_(std::move(bag)) {}

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/class_affinity.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
 
@@ -24,12 +25,23 @@ double size_ratio(const Node& a, const Node& b) {
   return std::max(size_a, size_b) / std::min(size_a, size_b);
 }
 
-/// The pairs of nodes with positions that may be one object: of one group of classes, and of about
-/// the same size. Sorted by query node, then candidate node. O(n · k).
+/// Whether a node of the graph may be of several classes. O(n).
 template <typename Scalar>
+bool any_label_weights(const TopologyGraph<Scalar>& graph) {
+  return std::any_of(graph.nodes().begin(), graph.nodes().end(),
+                     [](const auto& node) { return !node.label_weights.empty(); });
+}
+
+/// The pairs of nodes with positions that may be one object: by `may_be_one`, and of about the same
+/// size. Sorted by query node, then candidate node. O(n · k).
+/// @param options  `ConsistencyOptions`
+template <typename Scalar, typename Options>
 std::vector<Correspondence> offered_pairs(const TopologyGraph<Scalar>& candidate,
                                           const TopologyGraph<Scalar>& query,
-                                          const ClassGroups& classes, double max_size_ratio) {
+                                          const Options& options) {
+  const ClassGroups& classes = options.classes;
+  const bool by_group =
+      !options.affinity && !any_label_weights(candidate) && !any_label_weights(query);
   std::vector<Correspondence> pairs;
   pairs.reserve(candidate.size() + query.size());
   std::vector<ClassId> candidate_groups;
@@ -41,8 +53,11 @@ std::vector<Correspondence> offered_pairs(const TopologyGraph<Scalar>& candidate
     const ClassId group = classes.group(here.label);
     for (std::size_t p = 0; p < candidate.size(); ++p) {
       const auto& there = candidate.nodes()[p];
-      if (!there.position || candidate_groups[p] != group) continue;
-      if (size_ratio(there, here) > max_size_ratio) continue;
+      if (!there.position || (by_group && candidate_groups[p] != group)) continue;
+      if (size_ratio(there, here) > options.max_size_ratio) continue;
+      if (!by_group && !may_be_one(there, here, classes, options.affinity, options.min_affinity)) {
+        continue;
+      }
       pairs.push_back({node_index(p), node_index(q)});
     }
   }

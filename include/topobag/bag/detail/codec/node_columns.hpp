@@ -33,14 +33,20 @@ class NodeColumns {
     for (const SemanticNode<Scalar>& node : nodes) add(node);
   }
 
-  /// Throws FormatError.
-  explicit NodeColumns(BitReader& reader) {
+  /// Of a graph in this version. Throws FormatError.
+  NodeColumns(BitReader& reader, unsigned version) {
     const std::size_t n = reader.get_count();
     if (n > max_nodes) throw FormatError("a graph of more than 4096 nodes: the data are damaged");
     for (const NodeColumn& c : node_columns) {
       of(c.property) = get_column(reader, c.part == 0 ? n : count(c.part), c.range, c.min_width);
     }
+    if (version < 2 && count(has_label_weights) > 0) {
+      throw FormatError("a graph of version 1 with label weights: the data are damaged");
+    }
   }
+
+  /// Whether the node may be of several classes, which follow elsewhere.
+  bool has_weights(std::size_t i) const { return has(i, has_label_weights); }
 
   void put(BitWriter& writer) const {
     writer.put_number(size());
@@ -125,6 +131,7 @@ class NodeColumns {
       parts |= has_covariance;
       add_covariance(node.covariance.template cast<double>(), ray);
     }
+    if (!node.label_weights.empty()) parts |= has_label_weights;
     of(Property::parts).push_back(parts);
   }
 

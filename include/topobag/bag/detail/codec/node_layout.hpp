@@ -36,7 +36,9 @@ inline constexpr std::int64_t has_pixel = 1;
 inline constexpr std::int64_t has_position = 2;
 inline constexpr std::int64_t has_depth = 4;  ///< other than the position's
 inline constexpr std::int64_t has_covariance = 8;
-inline constexpr std::int64_t all_parts = has_pixel | has_position | has_depth | has_covariance;
+inline constexpr std::int64_t has_label_weights = 16;  ///< from version 2 on
+inline constexpr std::int64_t all_parts =
+    has_pixel | has_position | has_depth | has_covariance | has_label_weights;
 
 /// One number of a node, in the order in which their columns are written.
 enum class NodeProperty {

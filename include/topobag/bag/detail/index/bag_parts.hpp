@@ -14,8 +14,9 @@
 #include <topobag/bag/detail/index/head_block.hpp>
 #include <topobag/bag/detail/index/segment.hpp>
 #include <topobag/bag/detail/index/segment_infos.hpp>
+#include <topobag/bag/detail/storage/descriptor_kinds.hpp>
 #include <topobag/bag/place_contents.hpp>
-#include <topobag/types/appearance.hpp>
+#include <topobag/types/image_descriptor.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -57,7 +58,7 @@ struct BagParts {
   std::size_t live = 0;
   std::size_t places = 0;  ///< different ones among the live entries
   std::shared_ptr<const PlaceContents> contents = std::make_shared<const PlaceContents>();
-  AppearanceKind appearance_kind;  ///< of all descriptors that were added
+  DescriptorKinds kinds;  ///< of all descriptors that were added
 
   /// O(segments · log n).
   std::optional<EntryPlace> find(KeyframeId id) const {
@@ -85,6 +86,12 @@ struct BagParts {
   EntryInfo info(EntryPlace place) const {
     if (place.part == sealed->size()) return (*head)[place.slot].info;
     return (*(*sealed)[place.part].infos)[place.slot];
+  }
+
+  /// What the entry's image looks like; until the parts go.
+  const ImageDescriptor& image(EntryPlace place) const {
+    if (place.part == sealed->size()) return (*head)[place.slot].info.image;
+    return (*sealed)[place.part].infos->image(place.slot);
   }
 
   /// Where every entry is. O(n log n).

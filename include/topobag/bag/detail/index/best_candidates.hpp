@@ -50,9 +50,17 @@ class BestCandidates {
     if (zeros_.size() > count_) zeros_.pop();
   }
 
-  /// The best, by `score_of(place)`, which is exact and asked for no more than it takes.
+  /// The best, by `score_of(entry)`, which is exact and asked for no more than it takes.
   template <typename ScoreOf>
   std::vector<Candidate> finish(const BagParts& parts, const ScoreOf& score_of) {
+    return finish(parts, score_of, [](EntryPlace, double score) { return score; });
+  }
+
+  /// The same, where `score_of` depends on the graph alone and `whole(place, score)` makes of it
+  /// what was added.
+  template <typename ScoreOf, typename Whole>
+  std::vector<Candidate> finish(const BagParts& parts, const ScoreOf& score_of,
+                                const Whole& whole) {
     std::sort(gathered_.begin(), gathered_.end(), [](const Gathered& l, const Gathered& r) {
       return l.score != r.score ? l.score > r.score : l.id < r.id;
     });
@@ -66,7 +74,8 @@ class BestCandidates {
                         std::memcmp(entry.graph, last.graph, last.graph_size) == 0;
       if (!same) last_score = score_of(entry);
       last = entry;
-      if (last_score >= min_similarity_) found.push_back({candidate.id, last_score});
+      const double score = whole(candidate.place, last_score);
+      if (score >= min_similarity_) found.push_back({candidate.id, score});
     }
     for (; !zeros_.empty(); zeros_.pop()) {
       if (min_similarity_ <= 0.0) found.push_back({zeros_.top(), 0.0});

@@ -28,11 +28,13 @@ class InfoColumns {
     if (info.session != 0 && sessions_.empty()) sessions_.resize(size_, 0);
     if (!info.label.empty() && labels_.empty()) labels_.resize(size_);
     if (info.T_world_camera && poses_.empty()) poses_.resize(size_, Pose{absent});
+    if (info.image.known() && images_.empty()) images_.resize(size_);
     ++size_;
     if (!stamps_.empty() || info.stamp) stamps_.push_back(info.stamp.value_or(absent));
     if (!sessions_.empty() || info.session != 0) sessions_.push_back(info.session);
     if (!labels_.empty() || !info.label.empty()) labels_.push_back(info.label);
     if (!poses_.empty() || info.T_world_camera) poses_.push_back(packed(info.T_world_camera));
+    if (!images_.empty() || info.image.known()) images_.push_back(info.image);
   }
 
   EntryInfo operator[](std::size_t i) const {
@@ -41,7 +43,14 @@ class InfoColumns {
     if (!sessions_.empty()) info.session = sessions_[i];
     if (!labels_.empty()) info.label = labels_[i];
     if (!poses_.empty() && poses_[i][0] < absent) info.T_world_camera = unpacked(poses_[i]);
+    info.image = image(i);
     return info;
+  }
+
+  /// What one entry's image looks like.
+  const ImageDescriptor& image(std::size_t i) const {
+    static const ImageDescriptor unknown;
+    return images_.empty() ? unknown : images_[i];
   }
 
   /// Moves one entry.
@@ -55,12 +64,15 @@ class InfoColumns {
     sessions_.shrink_to_fit();
     labels_.shrink_to_fit();
     poses_.shrink_to_fit();
+    images_.shrink_to_fit();
   }
 
   std::size_t bytes() const noexcept {
-    std::size_t bytes = stamps_.capacity() * sizeof(double) +
-                        sessions_.capacity() * sizeof(std::uint32_t) +
-                        labels_.capacity() * sizeof(std::string) + poses_.capacity() * sizeof(Pose);
+    std::size_t bytes =
+        stamps_.capacity() * sizeof(double) + sessions_.capacity() * sizeof(std::uint32_t) +
+        labels_.capacity() * sizeof(std::string) + poses_.capacity() * sizeof(Pose) +
+        images_.capacity() * sizeof(ImageDescriptor);
+    for (const ImageDescriptor& image : images_) bytes += image.kind().length();
     for (const std::string& label : labels_) {
       if (label.size() > 15) bytes += label.capacity() + 1;
     }
@@ -91,6 +103,7 @@ class InfoColumns {
   std::vector<std::uint32_t> sessions_;
   std::vector<std::string> labels_;
   std::vector<Pose> poses_;
+  std::vector<ImageDescriptor> images_;
 };
 
 }  // namespace detail

@@ -33,7 +33,7 @@ BagParts sealed(BagParts parts, const Similarity& similarity) {
   BagParts next;
   next.sealed = std::move(segments);
   next.live = parts.live;
-  next.appearance_kind = parts.appearance_kind;
+  next.kinds = parts.kinds;
   return next;
 }
 

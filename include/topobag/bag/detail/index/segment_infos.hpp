@@ -24,6 +24,7 @@ class SegmentInfos {
   }
 
   EntryInfo operator[](std::size_t slot) const { return columns_[slot]; }
+  const ImageDescriptor& image(std::size_t slot) const { return columns_.image(slot); }
   const InfoRange& range() const noexcept { return range_; }  ///< of all ids and infos
   std::size_t bytes() const noexcept { return columns_.bytes() + sizeof(*this); }
   void shrink_to_fit() { columns_.shrink_to_fit(); }

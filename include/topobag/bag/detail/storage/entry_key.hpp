@@ -8,7 +8,6 @@
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/savable_graph.hpp>
 #include <topobag/similarity/similarity.hpp>
-#include <topobag/types/appearance.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -49,15 +48,26 @@ struct BagEntry {
   }
 };
 
-/// The one kind of descriptors that a bag has with a graph's; unknown for a graph that is not
-/// topobag's. Throws InvalidValue when they are of two kinds.
-template <typename Graph>
-AppearanceKind kind_with([[maybe_unused]] const AppearanceKind& known,
-                         [[maybe_unused]] const Graph& graph) {
-  if constexpr (is_topology_graph_v<Graph>) {
-    return common_kind(known, graph.appearance_kind(), "the key frame");
+/// What a query is compared by: its descriptor, or where it is.
+template <typename Similarity, typename Graph>
+auto query_key(const Similarity& similarity, const Graph& graph) {
+  if constexpr (has_descriptor_v<Similarity, Graph>) {
+    return similarity.descriptor(graph);
   } else {
-    return {};
+    return &graph;
+  }
+}
+
+/// Of a query with this key and an entry, without an index.
+template <typename Similarity, typename Key, typename Graph>
+double similarity_to(const Similarity& similarity, const Key& key,
+                     const BagEntry<Graph, Similarity>& entry) {
+  if constexpr (is_jaccard_v<Similarity>) {
+    return similarity.similarity(key, similarity.descriptor(entry.graph));
+  } else if constexpr (has_descriptor_v<Similarity, Graph>) {
+    return similarity.similarity(key, entry.key);
+  } else {
+    return similarity(*key, entry.graph);
   }
 }
 
