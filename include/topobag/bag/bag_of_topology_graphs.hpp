@@ -237,5 +237,9 @@ class BagOfTopologyGraphs {
   std::conditional_t<indexed, detail::HistogramIndex, detail::Nothing> index_;
 };
 
+#ifdef TOPOBAG_COMPILED  // in the library topobag::compiled
+extern template class BagOfTopologyGraphs<TopologyGraph<double>, ClassPairDistanceHistogram>;
+#endif
+
 }  // namespace v0
 }  // namespace topobag

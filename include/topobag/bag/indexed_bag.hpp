@@ -246,5 +246,9 @@ class BasicIndexedBag {
 /// The bag for the default similarity.
 using IndexedBag = BasicIndexedBag<>;
 
+#ifdef TOPOBAG_COMPILED  // in the library topobag::compiled
+extern template class BasicIndexedBag<ClassPairDistanceHistogram>;
+#endif
+
 }  // namespace v0
 }  // namespace topobag

@@ -153,5 +153,9 @@ TopologyGraph<Scalar> make_topology_graph(
   return TopologyGraph<Scalar>(std::move(nodes), std::move(edges), std::move(views), gravity);
 }
 
+#ifdef TOPOBAG_COMPILED  // in the library topobag::compiled
+extern template class TopologyGraph<double>;
+#endif
+
 }  // namespace v0
 }  // namespace topobag

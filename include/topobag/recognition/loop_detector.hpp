@@ -109,5 +109,9 @@ explicit LoopDetector(Bag&) -> LoopDetector<Bag&>;
 template <typename Bag, std::enable_if_t<is_growing_bag_v<Bag>, int> = 0>
 explicit LoopDetector(Bag&, LoopOptions) -> LoopDetector<Bag&>;
 
+#ifdef TOPOBAG_COMPILED  // in the library topobag::compiled
+extern template class LoopDetector<>;
+#endif
+
 }  // namespace v0
 }  // namespace topobag

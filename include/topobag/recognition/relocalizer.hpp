@@ -98,5 +98,9 @@ explicit Relocalizer(Bag&) -> Relocalizer<Bag&>;
 template <typename Bag, std::enable_if_t<is_searchable_bag_v<detail::PresentView<Bag>>, int> = 0>
 explicit Relocalizer(Bag&, RecognitionOptions) -> Relocalizer<Bag&>;
 
+#ifdef TOPOBAG_COMPILED  // in the library topobag::compiled
+extern template class Relocalizer<>;
+#endif
+
 }  // namespace v0
 }  // namespace topobag
