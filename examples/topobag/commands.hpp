@@ -18,6 +18,7 @@ void add_loops_command(CLI::App& app);
 void add_map_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_nodes_command(CLI::App& app);
+void add_relate_command(CLI::App& app);
 void add_similarity_command(CLI::App& app);
 void add_trajectory_command(CLI::App& app);
 void add_view_command(CLI::App& app);

@@ -23,7 +23,8 @@ struct DetectionSource {
   topobag::YoloOptions yolo;              ///< of the network
   std::vector<topobag::ClassId> classes;  ///< the class behind each score of the network
   std::optional<ImageBoxes> boxes;        ///< instead of a network, of the same frames
-  bool colors = false;                    ///< whether objects are described by their colours
+  bool colors = false;                    ///< whether objects are described by their colours,
+  std::string layer{};                    ///< or by this layer of the network; empty = none
 };
 
 /// The size of an image file as it is stored. Throws as below.

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include <topobag/edges/delaunay_edges2.hpp>
-#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/edges/knn_edges.hpp>
 #include <topobag/graph/local_graph.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/sensing/lift_clusters.hpp>
 #include <topobag/sensing/lift_detections.hpp>
 
@@ -150,6 +150,23 @@ void require_usable(const std::string& set, const NodeTable& table,
   throw InputError(set_name(set) + ".nodes.csv", why.str());
 }
 
+/// What stands still of a map of objects, as its one key frame.
+std::vector<Keyframe> read_object_place(const std::string& path, const KeyframeOptions& options) {
+  const topobag::ClassCatalog& catalog = options.classes.catalog;
+  std::vector<MappedObject> objects =
+      read_object_map(path, catalog, options.classes.first_word.value_or(0));
+  objects.erase(std::remove_if(objects.begin(), objects.end(),
+                               [&](const MappedObject& object) {
+                                 return !options.keep.contains(catalog.dynamics(object.label()));
+                               }),
+                objects.end());
+  Keyframe place = object_map_place(objects, options.objects);
+  if (options.matchable && !place.graph.is_matchable()) {
+    throw InputError(path, "it has no three objects that stand still");
+  }
+  return {std::move(place)};
+}
+
 }  // namespace
 
 std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOptions& options) {
@@ -178,13 +195,15 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
 }
 
 std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptions& options) {
+  if (is_object_map(set)) return read_object_place(set, options);
   NodeTable table = options.clusters ? read_cluster_table(set, options.classes.catalog)
                                      : read_node_table(set, options.classes.catalog);
   if (!options.trajectory.empty()) take_poses(options.trajectory, table.frames);
   if (options.clusters) {
     const TableStress& stress = options.stress;
     if (stress.depth_noise > 0.0 || stress.drop > 0.0 || stress.flip > 0.0) {
-      throw InputError("--clusters", "--depth-noise, --drop and --flip are for boxes; leave them out");
+      throw InputError("--clusters",
+                       "--depth-noise, --drop and --flip are for boxes; leave them out");
     }
     for (FrameRow& frame : table.frames) {  // the poses are the sensor's
       if (auto& T = frame.T_world_camera) T = *T * topobag::T_graph_forward_left_up().inverse();

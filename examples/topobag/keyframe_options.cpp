@@ -8,6 +8,7 @@
 #include "gravity_options.hpp"
 #include "input_error.hpp"
 #include "number_check.hpp"
+#include "object_map_options.hpp"
 #include "progress.hpp"
 #include "saved_map.hpp"
 
@@ -49,6 +50,7 @@ void add_keyframe_options(CLI::App& command, KeyframeOptions& options, ImageSize
   command.add_option("--trajectory", options.trajectory,
                      "Poses of the frames, by their time: TUM, OpenLORIS or SET.frames.csv [the "
                      "table's]");
+  add_object_map_options(command, options.objects, options.classes);
   add_progress_option(command);
 }
 

@@ -27,10 +27,21 @@ topobag::EntryInfo info_of(const Keyframe& keyframe) {
   return info;
 }
 
+/// The program's options for a run. A map of objects was seen by no camera, so that it has no
+/// direction that one would look in again.
+topobag::RecognitionOptions options_of(const RecognitionRun& run) {
+  topobag::RecognitionOptions options = recognition_options_for(run.classes);
+  const bool objects = std::all_of(run.map.begin(), run.map.end(), [](const Keyframe& keyframe) {
+    return keyframe.graph.views().empty();
+  });
+  if (objects) options.matching.viewpoint.share = 0.0;
+  return options;
+}
+
 /// The map of a run.
 topobag::Relocalizer<> relocalizer_of(const RecognitionRun& run) {
   const std::vector<Keyframe>& map = run.map;
-  topobag::Relocalizer<> relocalizer(recognition_options_for(run.classes));
+  topobag::Relocalizer<> relocalizer(options_of(run));
   for (std::size_t i = 0; i < map.size(); ++i) {
     if (!map[i].graph.is_matchable()) continue;
     relocalizer.map().add(topobag::KeyframeId{i}, map[i].graph, info_of(map[i]));
@@ -99,7 +110,7 @@ topobag::Calibration learn(const RecognitionRun& run, const std::vector<Keyframe
 /// The program's options with the decision that was asked for, which the run then tells of.
 topobag::RecognitionOptions decided_options(RecognitionRun& run, const CalibrationRequest& request,
                                             std::optional<double> min_gap = std::nullopt) {
-  topobag::RecognitionOptions options = recognition_options_for(run.classes);
+  topobag::RecognitionOptions options = options_of(run);
   options.decision.false_accept_rate = request.false_accept_rate;
   run.calibrated.reset();
   if (request.learnt) {
@@ -136,15 +147,14 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
 topobag::Explanation explain_look_up(const RecognitionRun& run, std::size_t index) {
   const topobag::Recognition& recognition = run.records[index].recognition;
   return topobag::explain(recognition, relocalizer_of(run).map(), run.queries[index].graph,
-                          run.classes.catalog, recognition_options_for(run.classes),
-                          recognition.candidates.size());
+                          run.classes.catalog, options_of(run), recognition.candidates.size());
 }
 
 topobag::CandidateExplanation explain_accepted(const RecognitionRun& run, std::size_t index) {
   const topobag::CandidateReport& accepted = *run.records[index].recognition.accepted;
   return topobag::explain_candidate(accepted, run.map[topobag::value(accepted.id)].graph,
-                                    run.queries[index].graph, run.classes.catalog,
-                                    recognition_options_for(run.classes), accepted.margin());
+                                    run.queries[index].graph, run.classes.catalog, options_of(run),
+                                    accepted.margin());
 }
 
 void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationRequest& request) {

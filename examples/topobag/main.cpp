@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   program::add_map_command(app);
   program::add_merge_command(app);
   program::add_nodes_command(app);
+  program::add_relate_command(app);
   program::add_similarity_command(app);
   program::add_trajectory_command(app);
   program::add_view_command(app);

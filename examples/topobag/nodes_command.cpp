@@ -36,8 +36,32 @@ struct NodesOptions {
   topobag::PinholeCamera<> camera;
   double depth_scale = 5000.0;
   topobag::YoloOptions yolo;
-  bool colors = false;
+  std::string appearance = "none";  ///< none, color, or layer:NAME
 };
+
+const std::string layer_prefix = "layer:";
+
+/// The layer of the network that is to describe objects; empty where none is.
+std::string layer_of(const NodesOptions& options) {
+  if (options.appearance.rfind(layer_prefix, 0) != 0) return "";
+  if (options.model.empty()) {
+    throw InputError("--appearance", "a layer is one of the network's: give --model, not --boxes");
+  }
+  return options.appearance.substr(layer_prefix.size());
+}
+
+/// What is wrong with a text that shall say what of an object's looks is kept, in words that a
+/// table can hold; the two that are no layer are written small.
+std::string appearance_complaint(std::string& text) {
+  const std::string small = CLI::detail::to_lower(text);
+  if (small == "none" || small == "color") {
+    text = small;
+    return "";
+  }
+  const bool layer = text.rfind(layer_prefix, 0) == 0 && text.size() > layer_prefix.size();
+  if (layer && text.find_first_of(",\"\r\n") == text.npos) return "";
+  return "'" + text + "' is none of none, color and layer:NAME";
+}
 
 /// "12 of one kind, 1 of another", those that are not 0; "nothing" where all are.
 std::string counts_text(const std::vector<std::pair<std::size_t, const char*>>& counts) {
@@ -105,7 +129,7 @@ std::string text_of(const NodesOptions& options) {
   text << camera.fx << ' ' << camera.fy << ' ' << camera.cx << ' ' << camera.cy << ' '
        << camera.width << ' ' << camera.height << ' ' << options.depth_scale << ' '
        << static_cast<int>(yolo.head) << ' ' << yolo.min_confidence << ' ' << yolo.max_iou << ' '
-       << yolo.input_size << ' ' << options.colors << ' '
+       << yolo.input_size << ' ' << options.appearance << ' '
        << topobag::fingerprint(options.classes.catalog);
   return text.str();
 }
@@ -118,7 +142,8 @@ void make_nodes(const NodesOptions& options) {
       options.yolo,
       options.names.empty() ? catalog.ids() : read_class_list(options.names, catalog),
       {},
-      options.colors};
+      options.appearance == "color",
+      layer_of(options)};
   const RgbdSequence sequence = read_tum_sequence(options.images);
   const bool sized = options.camera.width > 0;
   const topobag::PinholeCamera<> camera =
@@ -191,10 +216,13 @@ void add_nodes_command(CLI::App& app) {
   command.add_option("--input-size", options->yolo.input_size, "Side of the network's input, px")
       ->check(CLI::Range(32, 4096))
       ->capture_default_str();
-  command.add_option("--appearance", options->colors, "What of an object's looks is kept")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, bool>{{"none", false}, {"color", true}}, CLI::ignore_case))
-      ->default_str("none");
+  command
+      .add_option("--appearance", options->appearance,
+                  "What of an object's looks is kept: none, color, or layer:NAME, the features of "
+                  "a layer of the network in its box")
+      ->transform(CLI::Validator([](std::string& text) { return appearance_complaint(text); },
+                                 "none|color|layer:NAME"))
+      ->capture_default_str();
   add_progress_option(command);
   command.callback([options] { make_nodes(*options); });
 }

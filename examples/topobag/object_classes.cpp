@@ -75,6 +75,25 @@ ObjectClasses read_object_classes(const std::string& path) {
   return classes;
 }
 
+void add_map_words(const std::string& path, ObjectClasses& classes) {
+  const std::string text = read_file(path);
+  std::istringstream stream(text);
+  topobag::TextLines lines(stream, path);
+  const int first = static_cast<int>(classes.catalog.size());
+  int next = first;
+  for (std::string_view line; lines.next(line); ++next) {
+    if (next - first + 1 != static_cast<int>(lines.number())) {
+      throw lines.error("a blank or comment line above hides which number this class has");
+    }
+    lines.located([&] {
+      classes.catalog.add(topobag::ClassId{next}, std::string(line) + " (map)",
+                          topobag::Dynamics::low);
+    });
+  }
+  if (next == first) throw InputError(path, "there is no class in the file");
+  classes.first_word = first;
+}
+
 void add_classes_option(CLI::App& command, ObjectClasses& classes) {
   command.add_option_function<std::string>(
       "--classes", [&classes](const std::string& path) { classes = read_object_classes(path); },
@@ -85,6 +104,11 @@ void add_classes_option(CLI::App& command, ObjectClasses& classes) {
 topobag::RecognitionOptions recognition_options_for(const ObjectClasses& classes) {
   topobag::RecognitionOptions options = topobag::recognition_options(classes.catalog);
   options.matching.consistency.classes = classes.lookalikes;
+  if (classes.confusion) {
+    // A class of the map is offered to what it is rather than not: to one class of the queries.
+    options.matching.chance.confusion = classes.confusion;
+    options.matching.consistency.classes = classes.confusion->groups(0.5, classes.lookalikes);
+  }
   return options;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/types/class_catalog.hpp>
@@ -16,6 +18,10 @@ namespace program {
 struct ObjectClasses {
   topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
   topobag::ClassGroups lookalikes = topobag::lookalike_classes(catalog);
+  /// What a map's class is called in the queries, where that was learnt.
+  std::optional<topobag::ClassConfusion> confusion{};
+  /// The number of the first class that is a word of the map alone; none without.
+  std::optional<int> first_word{};
 };
 
 /// Reads classes of the user's own, one a line:
@@ -31,6 +37,11 @@ struct ObjectClasses {
 /// of the two. Blank lines and `#` comment lines do not count. Throws topobag::Error with the file
 /// and the line.
 ObjectClasses read_object_classes(const std::string& path);
+
+/// Reads the words of a map that has other ones than the queries, a name a line, and gives each a
+/// class of its own after those of the catalog, "NAME (map)". Throws topobag::Error with the file
+/// and the line.
+void add_map_words(const std::string& path, ObjectClasses& classes);
 
 /// Adds `--classes FILE`, which fills `classes`. Parsing throws topobag::Error.
 void add_classes_option(CLI::App& command, ObjectClasses& classes);

@@ -27,6 +27,9 @@ void add_recognition_options(CLI::App& command, RecognitionArguments& arguments)
   number("--wrong-rotation", limits.wrong_rotation_deg, "Wrong beyond, degrees", 180.0);
   command.add_flag("--different-places", arguments.scoring.different_places,
                    "The sequences share no place: every accepted match is wrong");
+  command.add_flag("--align-worlds", arguments.scoring.align_worlds,
+                   "The poses of map and queries are of two worlds: score by the one rigid motion "
+                   "between them that most accepted matches agree on");
   command
       .add_option("--place-radius", arguments.scoring.place_radius,
                   "A match with a key frame whose camera was farther away is wrong, m")

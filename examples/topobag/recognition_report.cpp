@@ -92,6 +92,15 @@ void write_sequence(std::ostream& out, const char* role, const std::string& set,
       << classes.size() << " classes\n";
 }
 
+/// By which motion the worlds were laid over each other, and how many matches say so.
+std::string worlds_text(const RecognitionRun& run, const RunSummary& summary) {
+  std::ostringstream out;
+  out << "aligned by the motion that " << summary.correct << " of " << summary.accepted
+      << " agree on, to the map's from the queries':";
+  for (const double number : pose_numbers(*run.T_map_query_world)) out << ' ' << number;
+  return out.str();
+}
+
 }  // namespace
 
 const char* to_string(topobag::PoseVerdict verdict) {
@@ -129,6 +138,9 @@ std::string to_json(const RecognitionRun& run) {
             {"median_rotation_error_deg", or_null(summary.median_rotation_error_deg)},
             {"query_ms", times_json(summary.query_ms)},
             {"matches", Json::array()}};
+  if (run.T_map_query_world) {
+    json["T_map_query_world"] = pose_numbers(*run.T_map_query_world);
+  }
   if (run.calibrated) json["calibration"] = calibration_json(*run.calibrated);
   for (std::size_t i = 0; i < run.records.size(); ++i) {
     if (run.records[i].recognition) json["matches"].push_back(match_json(run, i, catalog));
@@ -167,6 +179,7 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
     out << "  median error  " << std::setprecision(3) << *summary.median_translation_error_m
         << " m, " << std::setprecision(1) << *summary.median_rotation_error_deg << "°\n";
   }
+  if (run.T_map_query_world) out << "  worlds        " << worlds_text(run, summary) << '\n';
   if (run.calibrated) out << calibration_lines(*run.calibrated);
   if (summary.query_ms) out << "  query         " << times_text(*summary.query_ms) << '\n';
   return out.str();

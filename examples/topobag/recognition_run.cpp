@@ -82,7 +82,10 @@ JudgedMatch judge_match(const RecognitionRun& run, std::size_t query,
                         const topobag::CandidateReport& match, const Scoring& scoring) {
   using topobag::PoseVerdict;
   if (scoring.different_places) return {std::nullopt, PoseVerdict::wrong};
-  const auto& T_world_query = run.queries[query].T_world_camera;
+  std::optional<Eigen::Isometry3d> T_world_query = run.queries[query].T_world_camera;
+  if (T_world_query && run.T_map_query_world) {
+    T_world_query = *run.T_map_query_world * *T_world_query;
+  }
   const auto& T_world_candidate = run.map[topobag::value(match.id)].T_world_camera;
   if (!T_world_query || !T_world_candidate) return {};
   const Eigen::Isometry3d T_candidate_query = T_world_candidate->inverse() * *T_world_query;
@@ -93,7 +96,37 @@ JudgedMatch judge_match(const RecognitionRun& run, std::size_t query,
   return {error, elsewhere ? PoseVerdict::wrong : topobag::judge(error, scoring.limits)};
 }
 
+std::optional<Eigen::Isometry3d> aligned_worlds(const RecognitionRun& run,
+                                                const topobag::PoseLimits& limits) {
+  struct Match {
+    Eigen::Isometry3d T_map_camera, T_query_world_camera;
+  };
+  std::vector<Match> matches;
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const auto& accepted = run.records[i].recognition.accepted;
+    if (!accepted || !run.queries[i].T_world_camera) continue;
+    const auto& T_map_candidate = run.map[topobag::value(accepted->id)].T_world_camera;
+    if (!T_map_candidate) continue;
+    matches.push_back(
+        {*T_map_candidate * accepted->pose->T_candidate_query, *run.queries[i].T_world_camera});
+  }
+  std::optional<Eigen::Isometry3d> best;
+  std::ptrdiff_t most = 0;
+  for (const Match& match : matches) {
+    const Eigen::Isometry3d T = match.T_map_camera * match.T_query_world_camera.inverse();
+    const auto correct = std::count_if(matches.begin(), matches.end(), [&](const Match& other) {
+      const auto error = topobag::pose_error(T * other.T_query_world_camera, other.T_map_camera);
+      return topobag::judge(error, limits) == topobag::PoseVerdict::correct;
+    });
+    if (correct <= most) continue;
+    most = correct;
+    best = T;
+  }
+  return best;
+}
+
 void score(RecognitionRun& run, const Scoring& scoring) {
+  if (scoring.align_worlds) run.T_map_query_world = aligned_worlds(run, scoring.limits);
   if (scoring.place_radius) require_poses(run, "--place-radius");
   for (std::size_t i = 0; i < run.records.size(); ++i) {
     QueryRecord& record = run.records[i];

@@ -70,6 +70,10 @@ struct RecognitionRun {
   std::size_t in_map = 0;                     ///< queries that are key frames of the map itself
   std::optional<CalibratedRun> calibrated{};  ///< where the decision was
   ObjectClasses classes{};                    ///< of the map's and the queries' objects
+
+  /// From the queries' world to the map's, where they are two (`align_worlds`); how many of the
+  /// accepted matches were correct by it says how far to believe it.
+  std::optional<Eigen::Isometry3d> T_map_query_world{};
 };
 
 /// The name of a table without its folder.
@@ -91,6 +95,7 @@ struct Scoring {
   topobag::PoseLimits limits;
   bool different_places = false;  ///< map and query share no place: every accepted match is wrong
   std::optional<double> place_radius{};  ///< m; a match of cameras farther apart is wrong
+  bool align_worlds = false;             ///< the poses of map and queries are of two worlds
 };
 
 /// What the truth says of a candidate's pose.
@@ -103,8 +108,16 @@ struct JudgedMatch {
 JudgedMatch judge_match(const RecognitionRun& run, std::size_t query,
                         const topobag::CandidateReport& match, const Scoring& scoring);
 
-/// Compares each accepted match with the true poses. Throws InputError where a radius is asked for
-/// and a pose is not known.
+/// Where the poses of the map and of the queries are of two worlds: the one rigid motion between
+/// them by which most accepted matches are correct, of those that one match gives; of equal ones
+/// the earliest's. Nothing without an accepted match of two known poses. A match agrees with
+/// itself, so that one that is correct says nothing. O(accepted²).
+std::optional<Eigen::Isometry3d> aligned_worlds(const RecognitionRun& run,
+                                                const topobag::PoseLimits& limits);
+
+/// Compares each accepted match with the true poses, those of the queries brought into the map's
+/// world where `scoring` says that they are of another. Throws InputError where a radius is asked
+/// for and a pose is not known.
 void score(RecognitionRun& run, const Scoring& scoring);
 
 /// What queries took, ms.

@@ -141,7 +141,7 @@ Bag new_entries(const Bag& bag, const std::vector<Keyframe>& keyframes) {
 
 bool is_saved_map(const std::string& path) {
   if (is_fleet_address(path)) return true;
-  return set_name(path) == path && fs::is_regular_file(path);
+  return set_name(path) == path && fs::is_regular_file(path) && !is_object_map(path);
 }
 
 void require_sqlite_map(const std::string& path) {

@@ -122,4 +122,5 @@ TEST_CASE("nodes describes objects when it is asked to", "[examples][appearance]
   CHECK(table.appearance == topobag::ColorDescriptor::name);
   CHECK(table.frames.at(0).detections.at(0).appearance.kind() == topobag::ColorDescriptor::kind);
   CHECK(run_program(arguments + " --appearance clip").exit_code == 2);
+  CHECK(refusal(arguments + " --appearance layer:neck").find("give --model") != std::string::npos);
 }

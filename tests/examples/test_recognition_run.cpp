@@ -144,3 +144,24 @@ TEST_CASE("a match of cameras farther apart than the place is wide is wrong", "[
   CHECK(error_text([&] { score(run, scoring); }).find("has no pose, which --place-radius needs") !=
         std::string::npos);
 }
+
+TEST_CASE("of two worlds the motion is taken that most matches agree on", "[examples]") {
+  RecognitionRun run = sample_run();
+  // The queries' world lies 5 m behind the map's and is turned; two of the three say so.
+  const Eigen::Isometry3d T =
+      Eigen::Translation3d(5.0, 0.0, 0.0) * Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ());
+  for (Keyframe& query : run.queries) {
+    if (query.T_world_camera) query.T_world_camera = T.inverse() * *query.T_world_camera;
+  }
+  Scoring scoring;
+  scoring.align_worlds = true;
+  run.records[1] = accepted_at(1.2, 2);  // beside 1.1 and 3 m
+  score(run, scoring);
+  REQUIRE(run.T_map_query_world);
+  CHECK(summarize(run).correct == 2);
+  CHECK(summarize(run).wrong == 1);
+  CHECK(run.records[0].error->translation_m == Approx(0.0).margin(1e-9));  // it is the first's
+  const Eigen::Isometry3d off = run.T_map_query_world->inverse() * T;
+  CHECK(off.translation().norm() == Approx(0.1));
+  CHECK_FALSE(aligned_worlds(RecognitionRun{}, {}));
+}

@@ -75,6 +75,7 @@ DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const Detection
   DetectedNodes detected = checkpoint.earlier(frames);
   Progress progress(frames.size(), "images");
   if (source.colors) detected.table.appearance = topobag::ColorDescriptor::name;
+  if (!source.layer.empty()) detected.table.appearance = network->appearance_name(source.layer);
   progress.step(detected.table.frames.size());
   for (std::size_t i = detected.table.frames.size(); i < frames.size(); ++i) {
     const RgbdFrame& frame = frames[i];
@@ -83,8 +84,11 @@ DetectedNodes detect_nodes(const std::vector<RgbdFrame>& frames, const Detection
     const cv::Mat depth = read_depth(frame.depth, rgb.size());
     const topobag::DepthImage depths(depth, depth_scale);
     FrameRow row = row_of(frame, i);
-    row.detections = topobag::range_detections(
-        network ? (*network)(rgb) : source.boxes->of_image[i], depths, camera);
+    row.detections =
+        source.layer.empty()
+            ? topobag::range_detections(network ? (*network)(rgb) : source.boxes->of_image[i],
+                                        depths, camera)
+            : topobag::range_detections(network->described(rgb, source.layer), depths, camera);
     row.depth = topobag::DepthGrid(depths, camera.width, camera.height).levels();
     detected.outside += drop_outside(row.detections);
     if (source.colors) {
