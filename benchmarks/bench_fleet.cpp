@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
-#include <random>
 #include <string>
 #include <thread>
 #include <utility>
@@ -25,7 +24,7 @@
 #include <topobag/adaptors/fleet_bag.hpp>
 
 #include "adaptors/postgres_server.hpp"
-#include "bag/realistic_graphs.hpp"
+#include "fleet_versions.hpp"
 #include "postgres_copy.hpp"
 
 namespace {
@@ -35,25 +34,6 @@ using Versions = std::vector<topobag::FleetVersion>;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Key frames of 12 objects, each of a session of its robot's.
-Versions some_versions(std::size_t count) {
-  std::mt19937 random(1);
-  std::vector<topobag::TopologyGraph<>> graphs;
-  for (int i = 0; i < 500; ++i) graphs.push_back(realistic_graph(random, 12, false));
-  const topobag::Uuid robot = topobag::random_uuid(), session = topobag::random_uuid();
-  topobag::EntryInfo info;
-  info.T_world_camera = Eigen::Isometry3d(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
-  Versions versions;
-  for (std::size_t i = 0; i < count; ++i) {
-    info.stamp = static_cast<double>(i);
-    info.T_world_camera->translation().x() = static_cast<double>(i) / 10.0;
-    versions.push_back(topobag::version_of({"hall", robot, session, topobag::KeyframeId{i}}, info,
-                                           graphs[i % graphs.size()]));
-    versions.back().seq = static_cast<std::int64_t>(i) + 1;
-  }
-  return versions;
 }
 
 /// Versions a second of so many robots at once, whose connections are there, as COPY's is.
@@ -254,9 +234,9 @@ int main(int argc, char** argv) {
   const std::size_t sites = argc > 4 ? std::stoul(argv[4]) : 1;
   PostgresServer server({"fsync=on", "shared_buffers=256MB", "max_wal_size=8GB"});
   if (rows > 0) {
-    const Versions versions = some_versions(rows);
+    const Versions versions = some_fleet_versions(rows);
     measure_rates(server, versions, batch);
     measure_delay(server, versions, std::min<std::size_t>(rows, 1000));
   }
-  measure_sites(server, some_versions(rows_of_a_site), batch, sites);
+  measure_sites(server, some_fleet_versions(rows_of_a_site), batch, sites);
 }
