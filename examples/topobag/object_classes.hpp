@@ -9,6 +9,8 @@
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/types/class_catalog.hpp>
 
+#include "typical_sizes.hpp"
+
 namespace program {
 
 /// What the class numbers of a detector mean, and which classes it takes for one another: COCO's
@@ -16,20 +18,21 @@ namespace program {
 struct ObjectClasses {
   topobag::ClassCatalog catalog = topobag::ClassCatalog::coco80();
   topobag::ClassGroups lookalikes = topobag::lookalike_classes(catalog);
+  TypicalSizes sizes{};  ///< of those for which the file says so
 };
 
 /// Reads classes of the user's own, one a line:
 ///
-///     # name, dynamics, look-alikes
+///     # name, dynamics, look-alikes, typical size
 ///     forklift, high
-///     pallet, low, pallet with load | box
+///     pallet, low, pallet with load | box, 1.2 x 0.15
 ///     pallet with load
 ///     box, medium
 ///
 /// A class has the number of its line among these, from 0. Dynamics are low (as where they are left
 /// out), medium or high; look-alikes are names of the file's classes between bars, said by either
-/// of the two. Blank lines and `#` comment lines do not count. Throws topobag::Error with the file
-/// and the line.
+/// of the two; a size is width x height in metres. Blank lines and `#` comment lines do not count.
+/// Throws topobag::Error with the file and the line.
 ObjectClasses read_object_classes(const std::string& path);
 
 /// Adds `--classes FILE`, which fills `classes`. Parsing throws topobag::Error.
