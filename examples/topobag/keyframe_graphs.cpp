@@ -18,6 +18,7 @@
 #include "frame_poses.hpp"
 #include "input_error.hpp"
 #include "progress.hpp"
+#include "typical_sizes.hpp"
 
 namespace program {
 namespace {
@@ -210,6 +211,7 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
     }
   } else {
     require_in_image(set, table, options.camera);
+    disbelieve_depths(options.camera, options.classes.sizes, table.frames);
   }
   apply(options.stress, table);
   apply(options.gravity, Draws{options.stress.seed, options.stress.stream, 1}, table);

@@ -14,6 +14,7 @@
 #include "csv_pose.hpp"
 #include "csv_reader.hpp"
 #include "depth_column.hpp"
+#include "label_column.hpp"
 
 namespace program {
 namespace {
@@ -40,6 +41,7 @@ class DetectionRows {
     detection.box = topobag::box_around({csv_.number(u_), csv_.number(v_)}, w, h);
     detection.z = csv_.number(z_);
     if (detection.z < 0.0) throw csv_.error("z has to be positive, or 0 where it is not known");
+    detection.label_weights = read_labels(csv_, labels_, detection.label, catalog_);
     return detection;
   }
 
@@ -86,6 +88,7 @@ class DetectionRows {
   std::size_t w_ = csv_.column("w");
   std::size_t h_ = csv_.column("h");
   std::size_t z_ = csv_.column("z");
+  std::optional<std::size_t> labels_ = csv_.find_column("labels");
 };
 
 /// Gives each row of the detections to its frame.
@@ -106,6 +109,13 @@ void read_detections(const std::string& path, const topobag::ClassCatalog& catal
     frame->second->detections.back().appearance = appearance.read();
   }
   table.appearance = appearance.name();
+}
+
+bool any_label_weights(const NodeTable& table) {
+  return std::any_of(table.frames.begin(), table.frames.end(), [](const FrameRow& frame) {
+    return std::any_of(frame.detections.begin(), frame.detections.end(),
+                       [](const auto& detection) { return !detection.label_weights.empty(); });
+  });
 }
 
 /// Numbers in the descriptors of the table; 0 where there are none.
@@ -188,6 +198,8 @@ void write_node_table(const std::string& set, const NodeTable& table,
                                  [](const FrameRow& frame) { return frame.depth.has_value(); });
   frames << std::fixed << "idx,frame,timestamp,tx,ty,tz,qx,qy,qz,qw" << (depth ? ",depth\n" : "\n");
   nodes << std::fixed << "idx,class_id,class,conf,u,v,w,h,z";
+  const bool labels = any_label_weights(table);
+  if (labels) nodes << ",labels";
   const std::size_t length = descriptor_length(table);
   AppearanceColumns::write_header(nodes, length);
   nodes << '\n';
@@ -208,6 +220,7 @@ void write_node_table(const std::string& set, const NodeTable& table,
             << std::setprecision(1) << ',' << center.x() << ',' << center.y() << ','
             << detection.box.width() << ',' << detection.box.height() << std::setprecision(3) << ','
             << detection.z;
+      if (labels) nodes << ',' << labels_text(detection.label_weights, catalog);
       AppearanceColumns::write(nodes, detection.appearance, table.appearance, length);
       nodes << '\n';
     }

@@ -23,7 +23,7 @@ struct FrameRow {
   double timestamp = 0.0;                           ///< s
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< true pose, m; absent when not known
   std::vector<topobag::RangedDetection> detections;
-  std::vector<topobag::ObjectCluster> clusters{};  ///< instead of detections; x forward, z up
+  std::vector<topobag::ObjectCluster> clusters{};     ///< instead of detections; x forward, z up
   std::optional<topobag::DepthGrid::Levels> depth{};  ///< how far the camera sees
   std::optional<topobag::Gravity<>> gravity;  ///< in its camera's frame; the files do not hold it
 };
@@ -34,8 +34,9 @@ struct FrameRow {
 /// optionally the pose tx ty tz qx qy qz qw (camera to world; empty where unknown) and `depth` (see
 /// `read_depth`);
 /// `SET.nodes.csv` has idx (of the frame), class, conf, u, v (box centre, px), w, h (box size, px),
-/// z (m, 0 = unknown) and optionally class_id, which may also stand for class, and what the object
-/// looks like (see `AppearanceColumns`). Further columns are ignored.
+/// z (m, 0 = unknown) and optionally class_id, which may also stand for class, what else the object
+/// may be (`labels`, see `read_labels`), and what it looks like (see `AppearanceColumns`). Further
+/// columns are ignored.
 struct NodeTable {
   std::vector<FrameRow> frames;
   std::string appearance{};  ///< name of the method that described the objects; empty = none did

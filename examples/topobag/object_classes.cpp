@@ -2,6 +2,7 @@
 #include "object_classes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <sstream>
 #include <string_view>
@@ -24,15 +25,17 @@ std::vector<std::string> parts_of(std::string_view text, char separator) {
   return parts;
 }
 
-/// Calls `read(lines, fields)` for the three fields of each line; those left out are empty.
+/// Calls `read(lines, fields)` for the four fields of each line; those left out are empty.
 template <typename Read>
 void read_class_lines(const std::string& path, const std::string& text, const Read& read) {
   std::istringstream stream(text);
   topobag::TextLines lines(stream, path);
   for (std::string_view line; lines.next(line);) {
     std::vector<std::string> fields = parts_of(line, ',');
-    if (fields.size() > 3) throw lines.error("a line is: name[, dynamics[, look-alikes]]");
-    fields.resize(3);
+    if (fields.size() > 4) {
+      throw lines.error("a line is: name[, dynamics[, look-alikes[, typical size]]]");
+    }
+    fields.resize(4);
     read(lines, fields);
   }
 }
@@ -56,18 +59,33 @@ void add_class(const topobag::TextLines& lines, const std::vector<std::string>& 
   lines.located([&] { catalog.add(id, name, dynamics); });
 }
 
+std::array<double, 2> size_of(const topobag::TextLines& lines, const std::string& text) {
+  const std::vector<std::string> sides = parts_of(text, 'x');
+  std::array<double, 2> size{};
+  bool good = sides.size() == 2;
+  for (std::size_t i = 0; good && i < 2; ++i) {
+    size[i] = parse_number(sides[i]).value_or(0.0);
+    good = size[i] > 0.0;
+  }
+  if (!good) {
+    throw lines.error("the typical size '" + text + "' is no width x height in metres");
+  }
+  return size;
+}
+
 }  // namespace
 
 ObjectClasses read_object_classes(const std::string& path) {
   const std::string text = read_file(path);
-  ObjectClasses classes{topobag::ClassCatalog(), topobag::ClassGroups()};
+  ObjectClasses classes{topobag::ClassCatalog(), topobag::ClassGroups(), TypicalSizes()};
   read_class_lines(path, text, [&](const topobag::TextLines& lines, const auto& fields) {
     add_class(lines, fields, classes.catalog);
   });
   if (classes.catalog.size() == 0) throw InputError(path, "there is no class in the file");
   read_class_lines(path, text, [&](const topobag::TextLines& lines, const auto& fields) {
-    if (fields[2].empty()) return;
     const topobag::ClassId id = classes.catalog.at(fields[0]);
+    if (!fields[3].empty()) classes.sizes[id] = size_of(lines, fields[3]);
+    if (fields[2].empty()) return;
     for (const std::string& other : parts_of(fields[2], '|')) {
       lines.located([&] { classes.lookalikes.join(id, classes.catalog.at(other)); });
     }
@@ -98,7 +116,8 @@ void add_classes_option(CLI::App& command, ObjectClasses& classes) {
   command.add_option_function<std::string>(
       "--classes", [&classes](const std::string& path) { classes = read_object_classes(path); },
       "File of your detector's classes, one a line: name, dynamics (low, medium or high), "
-      "look-alikes (between |); a map goes with the classes that it was made with [COCO's 80]");
+      "look-alikes (between |), typical size (width x height, m); a map goes with the classes that "
+      "it was made with [COCO's 80]");
 }
 
 topobag::RecognitionOptions recognition_options_for(const ObjectClasses& classes) {

@@ -11,6 +11,8 @@
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/types/class_catalog.hpp>
 
+#include "typical_sizes.hpp"
+
 namespace program {
 
 /// What the class numbers of a detector mean, and which classes it takes for one another: COCO's
@@ -22,20 +24,21 @@ struct ObjectClasses {
   std::optional<topobag::ClassConfusion> confusion{};
   /// The number of the first class that is a word of the map alone; none without.
   std::optional<int> first_word{};
+  TypicalSizes sizes{};  ///< of those for which the file says so
 };
 
 /// Reads classes of the user's own, one a line:
 ///
-///     # name, dynamics, look-alikes
+///     # name, dynamics, look-alikes, typical size
 ///     forklift, high
-///     pallet, low, pallet with load | box
+///     pallet, low, pallet with load | box, 1.2 x 0.15
 ///     pallet with load
 ///     box, medium
 ///
 /// A class has the number of its line among these, from 0. Dynamics are low (as where they are left
 /// out), medium or high; look-alikes are names of the file's classes between bars, said by either
-/// of the two. Blank lines and `#` comment lines do not count. Throws topobag::Error with the file
-/// and the line.
+/// of the two; a size is width x height in metres. Blank lines and `#` comment lines do not count.
+/// Throws topobag::Error with the file and the line.
 ObjectClasses read_object_classes(const std::string& path);
 
 /// Reads the words of a map that has other ones than the queries, a name a line, and gives each a

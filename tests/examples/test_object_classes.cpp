@@ -67,7 +67,7 @@ TEST_CASE("what is wrong in a file of classes is told with its line", "[examples
   CHECK(class_complaint("tote, low, drums\ndrum\n") ==
         "c.txt:1: unknown class 'drums'; nearest known: 'drum' 'tote'");
   CHECK(class_complaint("tote, low, drum |\ndrum\n").find("c.txt:1: unknown class ''") == 0);
-  CHECK(class_complaint("tote, low, , 0.4\n") ==
-        "c.txt:1: a line is: name[, dynamics[, look-alikes]]");
+  CHECK(class_complaint("tote, low, , 1 x 1, 0.4\n") ==
+        "c.txt:1: a line is: name[, dynamics[, look-alikes[, typical size]]]");
   CHECK(class_complaint("tote\n, low\n").find("c.txt:2: a class name needs a character") == 0);
 }

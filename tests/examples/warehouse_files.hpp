@@ -19,7 +19,7 @@
 inline const std::string warehouse_classes =
     "# name, dynamics, look-alikes\n"
     "forklift, high\npallet jack, high\npicker, high\n\n"
-    "pallet, low, loaded pallet | crate\nloaded pallet\ncrate, medium\n"
+    "pallet, low, loaded pallet | crate\nloaded pallet\ncrate, medium, , 0.3 x 0.3\n"
     "carton, medium\ntote, medium, carton\ndrum, medium\nroll cage, medium\n"
     "rack upright\nrack label\naisle sign\nfire extinguisher\nfire hose\nexit sign\ndock door\n"
     "charging station\nwrapping machine\nsafety mirror, low\n";
