@@ -19,32 +19,32 @@
 namespace program {
 namespace {
 
-using Graph = topobag::TopologyGraph<>;
+using ObjectGraph = topobag::TopologyGraph<>;
 
 /// The options under which all objects are of one class, and none need show.
-topobag::MatchOptions without_classes(const Graph& map, const Graph& query) {
+topobag::MatchOptions without_classes(const ObjectGraph& map, const ObjectGraph& query) {
   topobag::MatchOptions options;
   const topobag::ClassId any = query.nodes().front().label;
-  for (const Graph* graph : {&map, &query}) {
+  for (const ObjectGraph* graph : {&map, &query}) {
     for (const auto& node : graph->nodes()) options.consistency.classes.join(any, node.label);
   }
   options.chance.relabeling = 0.0;
   return options;
 }
 
-Graph scaled_graph(const std::vector<MappedObject>& map, double scale, double deviation) {
+ObjectGraph scaled_graph(const std::vector<MappedObject>& map, double scale, double deviation) {
   return object_map_place(map, {deviation, scale}).graph;
 }
 
 /// An alignment and what the objects say of it.
 struct Judged {
   double scale = 1.0;
-  Graph map;
+  ObjectGraph map;
   topobag::RelativePose pose;
 };
 
 /// By how much the map's objects of a pose are farther apart than the query's.
-double scale_between(const Judged& judged, const Graph& query) {
+double scale_between(const Judged& judged, const ObjectGraph& query) {
   const auto n = static_cast<Eigen::Index>(judged.pose.inliers.size());
   Eigen::Matrix3Xd there(3, n), here(3, n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -56,14 +56,15 @@ double scale_between(const Judged& judged, const Graph& query) {
 }
 
 /// An alignment with the scale that its objects say.
-std::optional<Judged> judged(const std::vector<MappedObject>& map, const Graph& query,
-                             const ScaledMotion& motion, double deviation) {
+std::optional<Judged> judged_alignment(const std::vector<MappedObject>& map,
+                                       const ObjectGraph& query, const ScaledMotion& motion,
+                                       double deviation) {
   const int rounds = 4;  // the objects rarely change after the second
   std::optional<Judged> found;
   double scale = motion.scale;
   Eigen::Isometry3d T = motion.T_map_query;
   for (int round = 0; round < rounds; ++round) {
-    Graph graph = scaled_graph(map, scale, deviation);
+    ObjectGraph graph = scaled_graph(map, scale, deviation);
     const auto pose = topobag::judge_pose(graph, query, T, without_classes(graph, query));
     if (!pose) return std::nullopt;
     T = pose->T_candidate_query;
@@ -75,7 +76,7 @@ std::optional<Judged> judged(const std::vector<MappedObject>& map, const Graph& 
 
 /// What is left of the residuals, along each axis, when the query's own doubt is taken off. A pose
 /// and a scale of n objects take up 7 of 3n numbers.
-double deviation_left(const Judged& judged, const Graph& query) {
+double deviation_left(const Judged& judged, const ObjectGraph& query) {
   double squares = 0.0, own = 0.0;
   for (const topobag::Correspondence& pair : judged.pose.inliers) {
     const auto& node = query.node(pair.query);
@@ -88,7 +89,7 @@ double deviation_left(const Judged& judged, const Graph& query) {
   return std::sqrt(std::max(least * least, squares / (numbers - 7.0) - own / numbers));
 }
 
-std::vector<Eigen::Vector3d> positions(const Graph& graph) {
+std::vector<Eigen::Vector3d> positions(const ObjectGraph& graph) {
   std::vector<Eigen::Vector3d> found;
   for (const auto& node : graph.nodes()) found.push_back(*node.position);
   return found;
@@ -99,11 +100,11 @@ std::vector<Eigen::Vector3d> positions(const Graph& graph) {
 std::optional<LearntRelation> learn_relation(const std::vector<MappedObject>& map,
                                              const Keyframe& query) {
   const double deviation = MapRelation{}.deviation;
-  const Graph& own = query.graph;
+  const ObjectGraph& own = query.graph;
   std::vector<Judged> found;
   for (const ScaledMotion& motion :
        propose_alignments(positions(scaled_graph(map, 1.0, deviation)), positions(own))) {
-    if (auto alignment = judged(map, own, motion, deviation)) {
+    if (auto alignment = judged_alignment(map, own, motion, deviation)) {
       found.push_back(std::move(*alignment));
     }
   }

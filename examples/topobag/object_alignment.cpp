@@ -11,15 +11,15 @@ namespace program {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
-using Triple = std::array<std::size_t, 3>;
+using PointTriple = std::array<std::size_t, 3>;
 
-double apart(const Points& points, std::size_t a, std::size_t b) {
+double side_of(const Points& points, std::size_t a, std::size_t b) {
   return (points[a] - points[b]).norm();
 }
 
 /// The motion and scale that lay one triple over the other.
-ScaledMotion laid_over(const Points& map, const Triple& there, const Points& query,
-                       const Triple& here) {
+ScaledMotion laid_over(const Points& map, const PointTriple& there, const Points& query,
+                       const PointTriple& here) {
   Eigen::Matrix3d target, source;
   for (std::size_t i = 0; i < 3; ++i) {
     target.col(static_cast<Eigen::Index>(i)) = map[there[i]];
@@ -47,22 +47,22 @@ std::size_t coinciding(const Points& map, const Points& query, const ScaledMotio
 
 /// Calls `found` for each triple of the map that looks like one of the query.
 template <typename Found>
-void for_each_alike(const Points& map, const Points& query, const Triple& here,
+void for_each_alike(const Points& map, const Points& query, const PointTriple& here,
                     const AlignmentSearch& search, const Found& found) {
-  const double base = apart(query, here[0], here[1]);
-  const double to_first = apart(query, here[0], here[2]),
-               to_second = apart(query, here[1], here[2]);
+  const double base = side_of(query, here[0], here[1]);
+  const double to_first = side_of(query, here[0], here[2]),
+               to_second = side_of(query, here[1], here[2]);
   for (std::size_t p = 0; p < map.size(); ++p) {
     for (std::size_t q = 0; q < map.size(); ++q) {
-      const double scale = apart(map, p, q) / base;
+      const double scale = side_of(map, p, q) / base;
       if (!(scale <= search.max_scale && scale * search.max_scale >= 1.0)) continue;
       const double tolerance = scale * search.tolerance;
       for (std::size_t r = 0; r < map.size(); ++r) {
-        if (std::abs(apart(map, p, r) - scale * to_first) > tolerance ||
-            std::abs(apart(map, q, r) - scale * to_second) > tolerance) {
+        if (std::abs(side_of(map, p, r) - scale * to_first) > tolerance ||
+            std::abs(side_of(map, q, r) - scale * to_second) > tolerance) {
           continue;
         }
-        found(Triple{p, q, r});
+        found(PointTriple{p, q, r});
       }
     }
   }
@@ -82,12 +82,12 @@ std::vector<ScaledMotion> propose_alignments(const Points& map, const Points& qu
   std::mt19937 random(1);
   const auto draw = [&] { return static_cast<std::size_t>(random()) % query.size(); };
   for (std::size_t i = 0; i < search.triples; ++i) {
-    const Triple here{draw(), draw(), draw()};
+    const PointTriple here{draw(), draw(), draw()};
     const double shortest =
-        std::min({apart(query, here[0], here[1]), apart(query, here[0], here[2]),
-                  apart(query, here[1], here[2])});
+        std::min({side_of(query, here[0], here[1]), side_of(query, here[0], here[2]),
+                  side_of(query, here[1], here[2])});
     if (shortest < search.min_side) continue;
-    for_each_alike(map, query, here, search, [&](const Triple& there) {
+    for_each_alike(map, query, here, search, [&](const PointTriple& there) {
       ScaledMotion motion = laid_over(map, there, query, here);
       motion.objects = coinciding(map, query, motion, search.tolerance);
       if (best.size() == search.kept && !better(motion, best.back())) return;

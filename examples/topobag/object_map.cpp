@@ -35,7 +35,7 @@ Eigen::Vector3d three_numbers(const Json& value, const char* what) {
 }
 
 /// The class that the file gives as a number, such as "66.0".
-topobag::ClassId numbered_label(const std::string& text, const topobag::ClassCatalog& catalog,
+topobag::ClassId label_numbered(const std::string& text, const topobag::ClassCatalog& catalog,
                                 int first) {
   const auto number = parse_number(text);
   const double most = 1e6;
@@ -46,7 +46,7 @@ topobag::ClassId numbered_label(const std::string& text, const topobag::ClassCat
   throw InputError("the class " + text + " is the number of none");
 }
 
-MappedObject object_of(const Json& node, const topobag::ClassCatalog& catalog, int first) {
+MappedObject mapped_object(const Json& node, const topobag::ClassCatalog& catalog, int first) {
   MappedObject object;
   object.position = three_numbers(node.at("translation"), "translation");
   if (node.contains("radii")) {
@@ -58,7 +58,7 @@ MappedObject object_of(const Json& node, const topobag::ClassCatalog& catalog, i
     const Json& weight = given.is_array() && !given.empty() ? given.front() : given;
     const double share = finite_number_of(weight, "a class's weight");
     if (share < 0.0) throw InputError("a class's weight is negative");
-    if (share > 0.0) object.weights[numbered_label(text, catalog, first)] += share;
+    if (share > 0.0) object.weights[label_numbered(text, catalog, first)] += share;
   }
   if (object.weights.empty()) throw InputError("it has no class");
   return object;
@@ -108,7 +108,7 @@ std::vector<MappedObject> read_object_map(const std::string& path,
     }
     for (const Json& node : file.at("nodes")) {
       ++number;
-      objects.push_back(object_of(node, catalog, first));
+      objects.push_back(mapped_object(node, catalog, first));
     }
     number = 0;
     if (objects.empty()) throw InputError("there is no object in the map");
