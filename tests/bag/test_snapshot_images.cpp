@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <topobag/bag/snapshot.hpp>
+#include <topobag/bag/snapshot_file.hpp>
 
 #include "bag/described_images.hpp"
 #include "bag/saved_bags.hpp"
@@ -85,4 +87,38 @@ TEST_CASE("an entry whose image is damaged is refused in a sentence", "[bag]") {
   CHECK(error_text([&] { detail::entry_of(empty); }) ==
         "an image's descriptor of 0 numbers; it holds 1 to 65535: it is damaged");
   CHECK_THROWS_AS(detail::entry_of(cut), FormatError);
+}
+
+TEST_CASE("the file of format 2 with images and label weights loads for ever", "[bag][snapshot]") {
+  const std::string path = TOPOBAG_SOURCES "/tests/bag/frozen/v2_images.bag";
+  CHECK(inspect(path).format_version == 2);
+  CHECK(inspect(path).codec_version == 2);
+  const BagOfTopologyGraphs<> bag = load(path);
+  REQUIRE(bag.size() == 3);
+  CHECK(bag.image_kind() == ImageKind("frozen", 300));
+  for (const std::uint64_t k : {0U, 1U, 2U}) {
+    const EntryInfo info = *bag.info(KeyframeId{10 * k});
+    CHECK(info.label == "desk");
+    REQUIRE(info.image.known() == (k != 1));
+    for (std::size_t i = 0; i < 300 && k != 1; ++i) {
+      CHECK(int{info.image.bytes()[i]} == static_cast<int>((7 * i + k) % 255) - 127);
+    }
+    const TopologyGraph<> graph = *bag.find(KeyframeId{10 * k});
+    REQUIRE(graph.size() == 4);
+    CHECK(graph.nodes()[1].label_weights.empty());
+    CHECK(graph.nodes()[0].label_weights == LabelWeights({{ClassId{41}, 1.0}, {ClassId{45}, 0.5}}));
+    const LabelWeights& five = graph.nodes()[2].label_weights;
+    REQUIRE(five.size() == 5);
+    CHECK(five.label(1) == ClassId{0});
+    CHECK(int{five.byte(1)} == 204);
+    CHECK(five.label(2) == ClassId{-7});
+    CHECK(five.label(3) == ClassId{2000000000});
+    CHECK(int{five.byte(4)} == 51);
+  }
+  std::ifstream stream(path, std::ios::binary);
+  const std::string frozen{std::istreambuf_iterator<char>(stream), {}};
+  const std::string written = saved(bag);
+  CHECK(written.substr(0, 12) == frozen.substr(0, 12));  // but for the library's own version
+  CHECK(written.substr(16, 24) == frozen.substr(16, 24));
+  CHECK(written.substr(44) == frozen.substr(44));
 }
