@@ -77,7 +77,9 @@ std::array<double, 2> size_of(const topobag::TextLines& lines, const std::string
 
 ObjectClasses read_object_classes(const std::string& path) {
   const std::string text = read_file(path);
-  ObjectClasses classes{topobag::ClassCatalog(), topobag::ClassGroups(), TypicalSizes()};
+  ObjectClasses classes;
+  classes.catalog = {};
+  classes.lookalikes = {};
   read_class_lines(path, text, [&](const topobag::TextLines& lines, const auto& fields) {
     add_class(lines, fields, classes.catalog);
   });

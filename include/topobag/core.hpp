@@ -128,6 +128,7 @@
 #include <topobag/sensing/same_object.hpp>
 #include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/sensing/sparse_depth.hpp>
+#include <topobag/sensing/still_view.hpp>
 #include <topobag/similarity/affinity_cosine.hpp>
 #include <topobag/similarity/class_histogram.hpp>
 #include <topobag/similarity/class_pair_distance_histogram.hpp>

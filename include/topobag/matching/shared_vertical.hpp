@@ -46,7 +46,7 @@ struct SharedVertical {
  private:
   template <typename Vector = Eigen::Vector3d>
   Eigen::Matrix3d least_turn() const {
-    return detail::least_turn<Vector>(source_down, target_down);
+    return detail::least_turn<Vector, Vector>(source_down, target_down);
   }
 };
 
