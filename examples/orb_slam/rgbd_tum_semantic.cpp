@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -182,10 +183,13 @@ class Run {
   }
 
  private:
-  /// Afterwards no thread calls the observer. May be called twice.
+  /// Afterwards no thread calls the observer: ORB-SLAM3's threads go on for a while after its
+  /// `Shutdown`, which saves its map and is therefore called once.
   void stop() {
+    if (std::exchange(stopped_, true)) return;
     if (semantic_) semantic_->stop();
     slam_.Shutdown();
+    slam_.GetKeyFrameDatabase()->semantic.SetObserver(nullptr);
   }
 
   host::Pose track_frame(const Images& images) {
@@ -199,6 +203,7 @@ class Run {
   std::unique_ptr<SemanticSlam> semantic_;
   topobag::Trajectory tracked_;
   topobag::Alignment alignment_;  ///< of the map's world with the truth's
+  bool stopped_ = false;
 };
 
 }  // namespace
