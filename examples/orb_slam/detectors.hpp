@@ -7,11 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include <opencv2/calib3d.hpp>
 #include <opencv2/core/persistence.hpp>
 
 #include <topobag/adaptors/opencv.hpp>
 #include <topobag/error.hpp>
+#include <topobag/sensing/disparity_depth.hpp>
 #include <topobag/sensing/range_detections.hpp>
+#include <topobag/sensing/sparse_depth.hpp>
 
 #include <node_table.hpp>
 
@@ -24,6 +27,7 @@ struct Calibration {
   topobag::PinholeCamera<> camera;
   cv::Mat matrix, distortion;
   double depth_scale = 1.0;
+  double baseline = 0.0;  ///< m; of a stereo camera
 };
 
 /// A number of the settings under its name of ORB-SLAM2 or that of ORB-SLAM3; 0 = it has none.
@@ -55,37 +59,81 @@ inline Calibration read_calibration(const std::string& settings) {
     calibration.distortion.at<double>(i) = setting(file, "Camera." + name, "Camera1." + name);
   }
   calibration.depth_scale = setting(file, "DepthMapFactor", "RGBD.DepthMapFactor");
+  calibration.baseline = setting(file, "Stereo.b", "Stereo.b");
+  if (calibration.baseline == 0.0) {
+    calibration.baseline = setting(file, "Camera.bf", "Camera.bf") / camera.fx;
+  }
   return calibration;
 }
 
-/// What the rows of node tables say, by the stamp of the image.
-inline Detect table_detector(const std::vector<std::string>& tables,
-                             const Calibration& calibration) {
+/// What the rows of node tables say, by the stamp of the image; neither undistorted.
+inline Detect table_detector(const std::vector<std::string>& tables) {
   std::map<double, std::vector<topobag::RangedDetection>> rows;
   for (const std::string& table : tables) {
     for (program::FrameRow& frame : program::read_node_table(table).frames) {
       rows[frame.timestamp] = std::move(frame.detections);
     }
   }
-  return [rows = std::move(rows), calibration](const Images& images) {
+  return [rows = std::move(rows)](const Images& images) {
     const auto found = rows.lower_bound(images.stamp - 1e-5);
     if (found == rows.end() || found->first > images.stamp + 1e-5) {
       return std::vector<topobag::RangedDetection>{};
     }
-    return topobag::undistorted(found->second, calibration.matrix, calibration.distortion);
+    return found->second;
   };
 }
 
-/// A YOLOX network with the depth image.
+/// Boxes that know their depths already.
+inline Detect undistorted(const Detect& boxes, const Calibration& calibration) {
+  return [boxes, calibration](const Images& images) {
+    return topobag::undistorted(boxes(images), calibration.matrix, calibration.distortion);
+  };
+}
+
+/// The boxes of a YOLOX network, without depths.
 inline Detect network_detector(const std::string& model, const Calibration& calibration) {
   auto network =
       std::make_shared<topobag::YoloDetector>(model, topobag::ClassCatalog::coco80().ids());
   return [network, calibration](const Images& images) {
+    std::vector<topobag::RangedDetection> boxes;
+    for (const topobag::Detection& found : (*network)(images.rgb)) {
+      boxes.push_back({found.box, found.label, found.confidence});
+    }
+    return boxes;
+  };
+}
+
+/// Boxes with the depths of the depth image, which is as distorted as they are; undistorted then.
+inline Detect with_depth_image(const Detect& boxes, const Calibration& calibration) {
+  return [boxes, calibration](const Images& images) {
     return topobag::undistorted(
-        topobag::range_detections((*network)(images.rgb),
+        topobag::range_detections(boxes(images),
                                   topobag::DepthImage(images.depth, calibration.depth_scale),
                                   calibration.camera),
         calibration.matrix, calibration.distortion);
+  };
+}
+
+/// Boxes with the depths of the host's own features in them, which are undistorted: without a depth
+/// image. What the boxes knew of depth is forgotten.
+inline Detect with_feature_depths(const Detect& boxes, const Calibration& calibration) {
+  return [boxes, calibration](const Images& images) {
+    return topobag::range_detections(
+        topobag::undistorted(boxes(images), calibration.matrix, calibration.distortion),
+        topobag::SparseDepth(images.points), calibration.camera, topobag::SparseBoxDepth{});
+  };
+}
+
+/// Boxes with the depths of the disparities of a rectified pair, of up to 128 px. What the boxes
+/// knew of depth is forgotten.
+inline Detect with_disparities(const Detect& boxes, const Calibration& calibration) {
+  const cv::Ptr<cv::StereoSGBM> matcher = cv::StereoSGBM::create(0, 128, 5, 200, 800);
+  return [boxes, calibration, matcher](const Images& images) {
+    cv::Mat disparity;  // CV_16S, 16 a pixel
+    matcher->compute(images.rgb, images.depth, disparity);
+    const topobag::DisparityDepth depth(topobag::DepthImage(disparity, 16.0), calibration.camera.fx,
+                                        calibration.baseline);
+    return topobag::range_detections(boxes(images), depth, calibration.camera);
   };
 }
 

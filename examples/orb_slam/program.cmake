@@ -24,7 +24,8 @@ target_include_directories(rgbd_tum_semantic PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
 target_include_directories(rgbd_tum_semantic SYSTEM PRIVATE
   ${host_root} ${host_root}/include ${host_includes} ${Pangolin_INCLUDE_DIRS})
 separate_arguments(flags NATIVE_COMMAND "${host_flags}")
-target_compile_options(rgbd_tum_semantic PRIVATE ${flags} -Wall -Wextra -Wpedantic -Wshadow -Wno-maybe-uninitialized)
+target_compile_options(rgbd_tum_semantic PRIVATE ${flags} -Wall -Wextra -Wpedantic -Wshadow -Wno-maybe-uninitialized
+  -Wno-uninitialized)  # both of what g++ 12 says of its own headers of AVX-512
 target_link_libraries(rgbd_tum_semantic PRIVATE topobag::opencv CLI11::CLI11 Threads::Threads
   ${host_root}/lib/${host_library} ${host_root}/Thirdparty/DBoW2/lib/libDBoW2.so
   ${host_root}/Thirdparty/g2o/lib/libg2o.so ${OpenCV_LIBS} ${Pangolin_LIBRARIES})

@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -34,6 +35,7 @@ namespace {
 struct Arguments {
   std::string vocabulary, settings, sequence, associations;
   std::string table, model;
+  std::string depth = "rgbd";
   std::string kidnap_sequence, kidnap_associations, kidnap_table;
   std::size_t kidnap_every = 12;
   double kidnap_window = 0.0;
@@ -48,10 +50,14 @@ struct Arguments {
 };
 
 Detect make_detect(const Arguments& arguments, const Calibration& calibration) {
-  if (!arguments.model.empty()) return network_detector(arguments.model, calibration);
   std::vector<std::string> tables{arguments.table};
   if (!arguments.kidnap_table.empty()) tables.push_back(arguments.kidnap_table);
-  return table_detector(tables, calibration);
+  const Detect boxes = arguments.model.empty() ? table_detector(tables)
+                                               : network_detector(arguments.model, calibration);
+  if (arguments.depth == "points") return with_feature_depths(boxes, calibration);
+  if (arguments.depth == "stereo") return with_disparities(boxes, calibration);
+  return arguments.model.empty() ? undistorted(boxes, calibration)
+                                 : with_depth_image(boxes, calibration);
 }
 
 template <typename Pose>
@@ -64,7 +70,9 @@ class Run {
   explicit Run(const Arguments& arguments)
       : arguments_(arguments),
         calibration_(read_calibration(arguments.settings)),
-        slam_(arguments.vocabulary, arguments.settings, host::System::RGBD, false) {
+        stereo_(arguments.depth == "stereo"),
+        slam_(arguments.vocabulary, arguments.settings,
+              stereo_ ? host::System::STEREO : host::System::RGBD, false) {
     if (!arguments.kidnap_sequence.empty()) kidnap_truth_ = read_truth(arguments.kidnap_sequence);
     if (arguments.stock) return;
     Settings settings;
@@ -182,23 +190,29 @@ class Run {
   }
 
  private:
-  /// Afterwards no thread calls the observer. May be called twice.
+  /// Afterwards no thread calls the observer: ORB-SLAM3's threads go on for a while after its
+  /// `Shutdown`, which saves its map and is therefore called once.
   void stop() {
+    if (std::exchange(stopped_, true)) return;
     if (semantic_) semantic_->stop();
     slam_.Shutdown();
+    slam_.GetKeyFrameDatabase()->semantic.SetObserver(nullptr);
   }
 
   host::Pose track_frame(const Images& images) {
-    return slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+    return stereo_ ? slam_.TrackStereo(images.rgb, images.depth, images.stamp)
+                   : slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
   }
 
   const Arguments& arguments_;
   const Calibration calibration_;
+  const bool stereo_;
   topobag::Trajectory kidnap_truth_;
   host::System slam_;
   std::unique_ptr<SemanticSlam> semantic_;
   topobag::Trajectory tracked_;
   topobag::Alignment alignment_;  ///< of the map's world with the truth's
+  bool stopped_ = false;
 };
 
 }  // namespace
@@ -213,6 +227,10 @@ int main(int argc, char** argv) {
   app.add_option("ASSOCIATIONS", arguments.associations, "Pairs of images")->required();
   auto* table = app.add_option("--detections", arguments.table, "Node table of the sequence");
   app.add_option("--model", arguments.model, "YOLOX network, ONNX")->excludes(table);
+  app.add_option("--depth", arguments.depth,
+                 "Of the boxes: rgbd = the table's own or the depth image; points = the host's own "
+                 "features in them; stereo = a rectified pair, the right images in place of depth")
+      ->check(CLI::IsMember({"rgbd", "points", "stereo"}));
   app.add_flag("--mask", arguments.mask, "Track without the features on what moves")->needs(table);
   app.add_flag("--stock", arguments.stock, "Without the bag");
   app.add_flag("--no-wait", arguments.no_wait, "As fast as it goes, not at the camera's pace");

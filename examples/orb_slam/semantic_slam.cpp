@@ -10,6 +10,8 @@
 
 #include <stopwatch.hpp>
 
+#include "feature_depths.hpp"
+
 namespace semantic {
 
 using program::Stopwatch;
@@ -29,7 +31,7 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
 SemanticSlam::~SemanticSlam() { thread_.stop(); }
 
 void SemanticSlam::FrameMade(Frame& frame, const cv::Mat& rgb, const cv::Mat& depth) {
-  current_ = {rgb, depth, frame.mTimeStamp};
+  current_ = {rgb, depth, frame.mTimeStamp, feature_depths(frame)};
   if (!settings_.mask) return;
   const Stopwatch watch;
   try {
@@ -45,7 +47,7 @@ void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
   // The caller may use its images again; the job outlives them.
   thread_.push({database_.epoch(),
                 std::uint64_t{key_frame->mnId},
-                {current_.rgb.clone(), current_.depth.clone(), current_.stamp}});
+                {current_.rgb.clone(), current_.depth.clone(), current_.stamp, current_.points}});
   note("tracking: hand a key frame over", watch.milliseconds());
 }
 

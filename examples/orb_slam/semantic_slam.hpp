@@ -18,14 +18,16 @@
 #include <topobag/adaptors/orb_slam.hpp>
 #include <topobag/adaptors/topology_thread.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>
+#include <topobag/sensing/sparse_depth.hpp>
 
 namespace semantic {
 
-/// The images of one call of `TrackRGBD`.
+/// The images of one call of `TrackRGBD`, and what the host made of them.
 struct Images {
   cv::Mat rgb;
   cv::Mat depth;
-  double stamp = 0.0;  ///< s
+  double stamp = 0.0;                         ///< s
+  std::vector<topobag::DepthPoint> points{};  ///< features whose depth the host knows, undistorted
 };
 
 /// What is seen in images, undistorted, with depths. Called on the topology thread and, when

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <condition_variable>
+#include <cstddef>
 #include <iterator>
 #include <mutex>
 #include <set>
@@ -61,78 +63,99 @@ class SemanticHooks {
   using Places = typename Observer::Places;
 
   /// May come late: the observer is told of the key frames that are there, as after a map was
-  /// loaded. It must not call the host meanwhile.
+  /// loaded. Returns when no thread is in a call of the observer before, which may then be deleted;
+  /// null: from then on nobody is told. Neither observer may wait for the caller meanwhile, nor the
+  /// new one call the host.
   void SetObserver(Observer* observer) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    std::unique_lock<std::mutex> lock(mutex_);
+    observer_ = nullptr;
+    left_.wait(lock, [this] { return calls_ == 0; });
     observer_ = observer;
     if (!observer_) return;
     for (KeyFrame* key_frame : present_) observer_->Added(key_frame);
   }
 
   void FrameMade(Frame& frame, const cv::Mat& image, const cv::Mat& second) {
-    if (Observer* const told = observer()) told->FrameMade(frame, image, second);
+    if (const Call told{*this}) told->FrameMade(frame, image, second);
   }
   void KeyFrameMade(KeyFrame* key_frame) {
-    if (Observer* const told = observer()) told->KeyFrameMade(key_frame);
+    if (const Call told{*this}) told->KeyFrameMade(key_frame);
   }
   void Added(KeyFrame* key_frame) {
-    if (Observer* const told = after([&] { present_.insert(key_frame); })) told->Added(key_frame);
+    if (const Call told{*this, [&] { present_.insert(key_frame); }}) told->Added(key_frame);
   }
   void Erased(KeyFrame* key_frame) {
-    if (Observer* const told = after([&] { present_.erase(key_frame); })) told->Erased(key_frame);
+    if (const Call told{*this, [&] { present_.erase(key_frame); }}) told->Erased(key_frame);
   }
   void Cleared() {
-    if (Observer* const told = after([&] { present_.clear(); })) told->Cleared();
+    if (const Call told{*this, [&] { present_.clear(); }}) told->Cleared();
   }
   template <typename Map>
   void ClearedMap(Map* map) {
-    Observer* const told = after([&] {
-      for (auto each = present_.begin(); each != present_.end();) {
-        each = (*each)->GetMap() == map ? present_.erase(each) : std::next(each);
-      }
-    });
+    const Call told{*this, [&] {
+                      for (auto each = present_.begin(); each != present_.end();) {
+                        each = (*each)->GetMap() == map ? present_.erase(each) : std::next(each);
+                      }
+                    }};
     if (told) told->ClearedMap(map);
   }
   void LoopCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) {
-    if (Observer* const told = observer()) told->LoopCandidates(key_frame, candidates);
+    if (const Call told{*this}) told->LoopCandidates(key_frame, candidates);
   }
   void MergeCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) {
-    if (Observer* const told = observer()) told->MergeCandidates(key_frame, candidates);
+    if (const Call told{*this}) told->MergeCandidates(key_frame, candidates);
   }
   Places MergePlaces() {
-    Observer* const told = observer();
+    const Call told{*this};
     return told ? told->MergePlaces() : Places();
   }
   void RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>& candidates,
                                 const void* map = nullptr) {
-    if (Observer* const told = observer()) told->RelocalizationCandidates(frame, candidates, map);
+    if (const Call told{*this}) told->RelocalizationCandidates(frame, candidates, map);
   }
   Places RelocalizationPlaces() {
-    Observer* const told = observer();
+    const Call told{*this};
     return told ? told->RelocalizationPlaces() : Places();
   }
   void PlacesTried(int accepted) {
-    if (Observer* const told = observer()) told->PlacesTried(accepted);
+    if (const Call told{*this}) told->PlacesTried(accepted);
   }
   void MergePlacesTried(int accepted) {
-    if (Observer* const told = observer()) told->MergePlacesTried(accepted);
+    if (const Call told{*this}) told->MergePlacesTried(accepted);
   }
 
  private:
-  Observer* observer() {
-    return after([] {});
-  }
+  /// A call of the observer as it is when the change is made: it hears of a key frame by
+  /// `SetObserver` or by the host's call, whichever comes first, and at most twice.
+  class Call {
+   public:
+    explicit Call(SemanticHooks& hooks) : Call(hooks, [] {}) {}
+    template <typename Change>
+    Call(SemanticHooks& hooks, Change change) : hooks_(hooks) {
+      const std::lock_guard<std::mutex> lock(hooks_.mutex_);
+      change();
+      observer_ = hooks_.observer_;
+      if (observer_) ++hooks_.calls_;
+    }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+    ~Call() {
+      if (!observer_) return;
+      const std::lock_guard<std::mutex> lock(hooks_.mutex_);
+      if (--hooks_.calls_ == 0) hooks_.left_.notify_all();
+    }
 
-  /// The observer as it is when the change is made: it hears of a key frame by `SetObserver` or by
-  /// the host's call, whichever comes first, and at most twice.
-  template <typename Change>
-  Observer* after(Change change) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    change();
-    return observer_;
-  }
+    explicit operator bool() const { return observer_ != nullptr; }
+    Observer* operator->() const { return observer_; }
+
+   private:
+    SemanticHooks& hooks_;
+    Observer* observer_ = nullptr;
+  };
 
   std::mutex mutex_;
+  std::condition_variable left_;
+  std::size_t calls_ = 0;  ///< threads in a call of the observer
   Observer* observer_ = nullptr;
   std::set<KeyFrame*> present_;
 };

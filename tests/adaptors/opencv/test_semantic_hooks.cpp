@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
+#include <chrono>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -122,4 +124,73 @@ TEST_CASE("an observer that comes while key frames are added misses none", "[hoo
     host.join();
     CHECK(listener.told.size() == key_frames.size());
   }
+}
+
+namespace {
+
+/// Stays in a call until it is let go.
+struct SlowListener final : Hooks::Observer {
+  std::atomic<bool> entered{false}, go{false}, ended{false};
+
+  void FrameMade(HookedFrame&, const cv::Mat&, const cv::Mat&) override {}
+  void KeyFrameMade(HookedKeyFrame*) override {}
+  void Added(HookedKeyFrame*) override {}
+  void Erased(HookedKeyFrame*) override {}
+  void Cleared() override {}
+  void LoopCandidates(HookedKeyFrame*, std::vector<HookedKeyFrame*>&) override {
+    entered = true;
+    while (!go) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ended = true;
+  }
+  void RelocalizationCandidates(HookedFrame*, std::vector<HookedKeyFrame*>&, const void*) override {
+  }
+  Places RelocalizationPlaces() override { return {}; }
+  void PlacesTried(int) override {}
+};
+
+}  // namespace
+
+TEST_CASE("an observer that is taken away is in no call any more", "[hooks]") {
+  Hooks hooks;
+  SlowListener listener;
+  hooks.SetObserver(&listener);
+  HookedKeyFrame key_frame;
+  std::thread host([&] {
+    std::vector<HookedKeyFrame*> candidates;
+    hooks.LoopCandidates(&key_frame, candidates);
+  });
+  while (!listener.entered) std::this_thread::yield();
+  listener.go = true;
+  hooks.SetObserver(nullptr);
+  CHECK(listener.ended);
+  host.join();
+}
+
+TEST_CASE("observers come, go and are deleted while the host calls them", "[hooks]") {
+  Hooks hooks;
+  std::atomic<bool> finished{false};
+  std::vector<std::thread> host;
+  for (int thread = 0; thread < 2; ++thread) {
+    host.emplace_back([&] {
+      HookedKeyFrame key_frame;
+      while (!finished) {
+        std::vector<HookedKeyFrame*> candidates;
+        hooks.LoopCandidates(&key_frame, candidates);
+        hooks.PlacesTried(-1);
+        std::this_thread::yield();
+      }
+    });
+  }
+  for (int round = 0; round < 200; ++round) {
+    const auto listener = std::make_unique<Listener>();
+    hooks.SetObserver(listener.get());
+    std::this_thread::yield();
+    hooks.SetObserver(nullptr);
+  }
+  finished = true;
+  for (std::thread& thread : host) thread.join();
+  std::vector<HookedKeyFrame*> candidates;
+  hooks.LoopCandidates(nullptr, candidates);
+  CHECK(candidates.empty());
 }

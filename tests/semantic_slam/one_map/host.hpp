@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <mutex>
+#include <set>
+
+#include <SemanticHooks.h>
+
+#include "adaptors/small_host.hpp"
+#include "semantic_slam/small_frame.hpp"
+
+/// What the program needs of an ORB-SLAM2, on types of our own: key frames do not lead to their
+/// map.
+namespace host {
+
+using Frame = SmallFrame;
+
+struct Map {
+  std::mutex mMutexMapUpdate;
+};
+
+struct KeyFrame : small_host::KeyFrame {
+  KeyFrame(unsigned long id, double stamp, const Eigen::Isometry3d& T_world_camera, Map&)
+      : small_host::KeyFrame(id, stamp, T_world_camera) {}
+
+  std::set<KeyFrame*> GetConnectedKeyFrames() const { return {}; }
+  void move_to(Map&) {}
+  bool is_in(const Map&) const { return true; }
+};
+
+template <typename Hooks>
+void give_up(Hooks& hooks, Map&) {
+  hooks.Cleared();
+}
+
+}  // namespace host

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <detectors.hpp>
+#include <feature_depths.hpp>
+
+#include "catch.hpp"
+#include "semantic_slam/small_frame.hpp"
+
+namespace {
+
+semantic::Calibration small_calibration() {
+  semantic::Calibration calibration;
+  calibration.camera = {500.0, 500.0, 319.5, 239.5, 640, 480};
+  calibration.matrix =
+      (cv::Mat_<double>(3, 3) << 500.0, 0.0, 319.5, 0.0, 500.0, 239.5, 0.0, 0.0, 1.0);
+  calibration.distortion = cv::Mat::zeros(5, 1, CV_64F);
+  calibration.baseline = 0.1;
+  return calibration;
+}
+
+/// A box of each half of the image, with a depth that is to be forgotten.
+std::vector<topobag::RangedDetection> two_boxes(const semantic::Images&) {
+  return {{{100, 100, 300, 380}, topobag::ClassId{56}, 0.9, 9.0},
+          {{350, 100, 550, 380}, topobag::ClassId{62}, 0.8, 9.0}};
+}
+
+}  // namespace
+
+TEST_CASE("the features whose depth the host knows", "[hooks]") {
+  SmallFrame frame(1.0);
+  frame.mvDepth.assign(20, -1.0F);
+  CHECK(semantic::feature_depths(frame).empty());
+  frame.mvDepth[3] = 2.5F;
+  frame.mvDepth[4] = 0.0F;
+  frame.mvDepth[7] = 4.0F;
+  const auto points = semantic::feature_depths(frame);
+  REQUIRE(points.size() == 2);
+  CHECK(points[0].pixel == Eigen::Vector2d(90.0, 240.0));
+  CHECK(points[0].z == 2.5);
+  CHECK(points[1].pixel == Eigen::Vector2d(210.0, 240.0));
+  CHECK(points[1].z == 4.0);
+}
+
+TEST_CASE("boxes get the depths of the host's features in them, and of no others", "[hooks]") {
+  semantic::Images images;
+  for (int i = 0; i < 10; ++i) images.points.push_back({{150.0 + 10.0 * i, 240.0}, 2.0});
+  for (int i = 0; i < 4; ++i) images.points.push_back({{150.0 + 10.0 * i, 200.0}, 5.0});  // behind
+  images.points.push_back({{450.0, 240.0}, 3.0});                                         // too few
+  const auto ranged = semantic::with_feature_depths(two_boxes, small_calibration())(images);
+  REQUIRE(ranged.size() == 2);
+  CHECK(ranged[0].z == 2.0);
+  CHECK(ranged[0].label == topobag::ClassId{56});
+  CHECK(ranged[0].confidence == 0.9);
+  CHECK(ranged[1].z == 0.0);
+}
+
+TEST_CASE("boxes get the depths of a rectified pair's disparities", "[hooks]") {
+  // Texture on two planes, 20 and 10 px apart in the images: 2.5 m and 5 m.
+  cv::Mat texture(480, 700, CV_8UC1);
+  cv::RNG random(4);
+  random.fill(texture, cv::RNG::UNIFORM, 0, 255);
+  cv::GaussianBlur(texture, texture, {5, 5}, 1.0);
+  semantic::Images images;
+  images.rgb = texture(cv::Rect(0, 0, 640, 480)).clone();
+  images.depth = images.rgb.clone();
+  texture(cv::Rect(20, 0, 320, 480)).copyTo(images.depth(cv::Rect(0, 0, 320, 480)));
+  texture(cv::Rect(330, 0, 320, 480)).copyTo(images.depth(cv::Rect(320, 0, 320, 480)));
+  const auto ranged = semantic::with_disparities(two_boxes, small_calibration())(images);
+  REQUIRE(ranged.size() == 2);
+  CHECK(ranged[0].z == Approx(2.5).epsilon(0.02));
+  CHECK(ranged[1].z == Approx(5.0).epsilon(0.02));
+}
