@@ -8,6 +8,7 @@
 
 #include <topobag/adaptors/detail/sqlite_connection.hpp>
 #include <topobag/adaptors/detail/sqlite_row.hpp>
+#include <topobag/adaptors/detail/sqlite_schema.hpp>
 #include <topobag/adaptors/detail/sqlite_statement.hpp>
 #include <topobag/error.hpp>
 #include <topobag/types/ids.hpp>
