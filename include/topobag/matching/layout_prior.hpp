@@ -20,9 +20,9 @@ inline namespace v0 {
 
 /// Bins of distance, each as wide for its distance as the others.
 struct DistanceBins {
-  static constexpr std::size_t count = 14;
-  static constexpr double least = 0.08;  ///< m; what is nearer falls into the first bin
-  static constexpr double most = 5.0;    ///< m; objects further apart tell nothing of each other
+  static constexpr std::size_t count = 14;  ///< of them
+  static constexpr double least = 0.08;     ///< m; what is nearer falls into the first bin
+  static constexpr double most = 5.0;       ///< m; objects further apart tell nothing of each other
 
   /// The lower border of a bin, m; of `count`, the last one's upper border.
   static double border(std::size_t bin) {

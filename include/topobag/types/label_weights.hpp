@@ -19,7 +19,7 @@ inline namespace v0 {
 
 /// One of the classes that an object may be of, and how much speaks for it.
 struct WeightedLabel {
-  ClassId label{};
+  ClassId label{};      ///< the class
   double weight = 0.0;  ///< not negative, of any scale: a probability, a score
 
   friend bool operator==(const WeightedLabel& a, const WeightedLabel& b) noexcept {
