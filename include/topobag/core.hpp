@@ -148,6 +148,7 @@
 #include <topobag/types/bounding_box.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
 #include <topobag/types/class_catalog.hpp>
+#include <topobag/types/descriptor_kind.hpp>
 #include <topobag/types/detection.hpp>
 #include <topobag/types/dynamics.hpp>
 #include <topobag/types/ids.hpp>

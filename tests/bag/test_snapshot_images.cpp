@@ -83,9 +83,9 @@ TEST_CASE("an entry whose image is damaged is refused in a sentence", "[bag]") {
   std::fill(zeros.begin() + begin + 6, zeros.end(), std::uint8_t{0});
   empty[begin + 4] = empty[begin + 5] = 0;
   CHECK(error_text([&] { detail::entry_of(zeros); }) ==
-        "an image's descriptor of zeros has no direction: it is damaged");
+        "a descriptor of zeros has no direction: it is damaged");
   CHECK(error_text([&] { detail::entry_of(empty); }) ==
-        "an image's descriptor of 0 numbers; it holds 1 to 65535: it is damaged");
+        "a descriptor of 0 numbers; it holds 1 to 65535: it is damaged");
   CHECK_THROWS_AS(detail::entry_of(cut), FormatError);
 }
 

@@ -94,7 +94,7 @@ TEST_CASE("what is no descriptor is refused", "[types][appearance]") {
   }
   for (const std::size_t length : {0U, 65U, 256U, 257U}) {
     CHECK(error_text([&] { AppearanceKind("odd", length); }) ==
-          "a descriptor of " + std::to_string(length) + " numbers; an appearance holds 1 to 64");
+          "a descriptor of " + std::to_string(length) + " numbers; it holds 1 to 64");
   }
 }
 

@@ -96,8 +96,8 @@ void bind_nodes(py::module_& module) {
             return length == 0 ? AppearanceKind()
                                : AppearanceKind(state[0].cast<std::uint32_t>(), length);
           }))
-      .def_property_readonly("number", &AppearanceKind::number, doc("AppearanceKind.number"))
-      .def_property_readonly("length", &AppearanceKind::length, doc("AppearanceKind.length"))
+      .def_property_readonly("number", &AppearanceKind::number, doc("DescriptorKind.number"))
+      .def_property_readonly("length", &AppearanceKind::length, doc("DescriptorKind.length"))
       .def("__eq__", [](const AppearanceKind& a, const AppearanceKind& b) { return a == b; })
       .def("__hash__", [](const AppearanceKind& kind) { return kind.number(); })
       .def("__repr__", [](const AppearanceKind& kind) {

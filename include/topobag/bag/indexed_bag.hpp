@@ -142,14 +142,7 @@ class BasicIndexedBag {
     detail::PartBuilder<Similarity> builder(*similarity_);
     theirs.for_each([&](detail::EntryPlace place) {
       const detail::StoredEntry entry = theirs.entry(place);
-      const EntryInfo info = options.moved(theirs.info(place));
-      const KeyframeId id = new_ids.at(entry.id);
-      if (views_ == ViewSection::kept) {
-        builder.add(id, info, entry.graph, entry.graph_size);
-      } else {
-        const auto graph = detail::stored_bytes(decode(entry.graph, entry.graph_size), views_);
-        builder.add(id, info, graph.data(), graph.size() - detail::scan_margin);
-      }
+      builder.add(new_ids.at(entry.id), options.moved(theirs.info(place)), entry, views_);
     });
     auto sealed_parts = std::make_shared<detail::BagParts::Sealed>(*next.sealed);
     for (detail::SealedPart& part : builder.finish()) sealed_parts->push_back(std::move(part));

@@ -1,65 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <topobag/error.hpp>
-#include <topobag/types/appearance.hpp>
+#include <topobag/types/descriptor_kind.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
-/// What the numbers of an image's descriptor mean: which method gave them, and how many there are.
-/// Those of different kinds never mix.
-class ImageKind {
- public:
-  static constexpr std::size_t max_length = 65535;  ///< of a descriptor
-
-  /// Of no descriptor.
-  constexpr ImageKind() = default;
-
-  /// @param name    of the method and its settings; another one is another kind
-  /// @param length  numbers in a descriptor
-  /// Throws InvalidValue for a length that is not 1 to 65535.
-  constexpr ImageKind(std::string_view name, std::size_t length)
-      : ImageKind(AppearanceKind(name, 1).number(), length) {}
-
-  /// With the number of a kind, as a file holds it. Throws as above.
-  constexpr ImageKind(std::uint32_t number, std::size_t length)
-      : number_(number), length_(static_cast<std::uint32_t>(length)) {
-    if (length < 1 || length > max_length) {
-      throw InvalidValue("an image's descriptor of " + std::to_string(length) +
-                         " numbers; it holds 1 to " + std::to_string(max_length));
-    }
-  }
-
-  /// Which the name stands for: two names share it by one chance in 2^32. The same on every
-  /// machine.
-  constexpr std::uint32_t number() const noexcept { return number_; }
-  /// Numbers in a descriptor; 0 = no descriptor.
-  constexpr std::size_t length() const noexcept { return length_; }
-
-  /// Whether descriptors of both may be compared.
-  friend constexpr bool operator==(ImageKind a, ImageKind b) noexcept {
-    return a.number_ == b.number_ && a.length_ == b.length_;
-  }
-  /// Whether they may not.
-  friend constexpr bool operator!=(ImageKind a, ImageKind b) noexcept { return !(a == b); }
-
- private:
-  std::uint32_t number_ = 0;
-  std::uint32_t length_ = 0;
-};
+/// What the numbers of an image's descriptor mean; see `DescriptorKind`.
+using ImageKind = DescriptorKind<65535>;
 
 /// The kind of images' descriptors that stand together: the one `known` of those before, or else
 /// the `added` one's; either may be of no descriptor. Throws InvalidValue when they differ.
@@ -86,17 +45,17 @@ class ImageDescriptor {
   /// Throws InvalidValue for another length, a number that is not finite, or all zeros.
   template <typename Derived>
   ImageDescriptor(ImageKind kind, const Eigen::MatrixBase<Derived>& vector)
-      : ImageDescriptor(kind, quantized(vector)) {}
+      : ImageDescriptor(kind, quantized(vector, kind.length())) {}
 
   /// Of the bytes of one. Throws InvalidValue for another length than the kind's, or all zeros.
   ImageDescriptor(ImageKind kind, Bytes bytes) : kind_(kind) {
     if (bytes.size() != kind.length()) {
-      throw InvalidValue("an image's descriptor of " + std::to_string(bytes.size()) +
+      throw InvalidValue("a descriptor of " + std::to_string(bytes.size()) +
                          " numbers; its kind has " + std::to_string(kind.length()));
     }
     for (const std::int32_t x : bytes) square_ += x * x;
     if (square_ == 0 && kind.length() > 0) {
-      throw InvalidValue("an image's descriptor of zeros has no direction");
+      throw InvalidValue("a descriptor of zeros has no direction");
     }
     bytes_ = std::make_shared<const Bytes>(std::move(bytes));
   }
@@ -119,21 +78,9 @@ class ImageDescriptor {
 
  private:
   template <typename Derived>
-  static Bytes quantized(const Eigen::MatrixBase<Derived>& vector) {
-    double greatest = 0.0;
-    for (Eigen::Index i = 0; i < vector.size(); ++i) {
-      const double magnitude = std::abs(static_cast<double>(vector(i)));
-      if (!std::isfinite(magnitude)) {
-        throw InvalidValue("an image's descriptor holds a number that is not finite");
-      }
-      greatest = std::max(greatest, magnitude);
-    }
-    Bytes bytes(static_cast<std::size_t>(vector.size()), 0);
-    if (!(greatest > 0.0)) return bytes;
-    for (Eigen::Index i = 0; i < vector.size(); ++i) {
-      bytes[static_cast<std::size_t>(i)] =
-          static_cast<std::int8_t>(std::lround(static_cast<double>(vector(i)) / greatest * 127.0));
-    }
+  static Bytes quantized(const Eigen::MatrixBase<Derived>& vector, std::size_t length) {
+    Bytes bytes(length, 0);
+    detail::quantize(vector, length, bytes.data());
     return bytes;
   }
 

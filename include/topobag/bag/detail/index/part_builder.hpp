@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <topobag/bag/detail/index/bag_parts.hpp>
+#include <topobag/bag/detail/index/encoded_entry.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -38,6 +39,16 @@ class PartBuilder {
       end_segment();
     }
     segment_.add(id, info, graph, size);
+  }
+
+  /// Another bag's entry, with what this one keeps of its graph.
+  void add(KeyframeId id, const EntryInfo& info, const StoredEntry& entry, ViewSection views) {
+    if (views == ViewSection::kept) {
+      add(id, info, entry.graph, entry.graph_size);
+    } else {
+      const auto graph = stored_bytes(decode(entry.graph, entry.graph_size), views);
+      add(id, info, graph.data(), graph.size() - scan_margin);
+    }
   }
 
   void add(const BagParts& parts, EntryPlace place) {
