@@ -125,8 +125,8 @@ class BagSearch {
     } else {
       ++visited_;
       const double shared = common_mass_(scan_(entry.graph));
-      const double all = query_.total() + static_cast<double>(entry.total) - shared;
-      best_.add(place, entry, shared > 0.0 ? shared / all : 0.0);
+      best_.add(place, entry,
+                similarity_of(shared, query_.total(), static_cast<double>(entry.total)));
     }
   }
 

@@ -14,6 +14,12 @@ namespace topobag {
 inline namespace v0 {
 namespace detail {
 
+/// The similarity of two histograms of which so much is common: Jaccard's, of weights. 0 of nothing
+/// in common.
+inline double similarity_of(double common, double total_a, double total_b) noexcept {
+  return common > 0.0 ? common / (total_a + total_b - common) : 0.0;
+}
+
 /// Σ min of a query's histogram with those of stored graphs, straight from their nodes: what
 /// `jaccard` finds in common, but for the rounding of the sum.
 ///

@@ -106,8 +106,8 @@ class ImageSearch {
     } else {
       ++visited_;
       const double shared = common_mass_(scan_(stored.graph));
-      const double all = query_.total() + static_cast<double>(stored.total) - shared;
-      const double graphs = shared > 0.0 ? shared / all : 0.0;
+      const double graphs =
+          similarity_of(shared, query_.total(), static_cast<double>(stored.total));
       best_.add(entry.place, stored, options_.image.score(graphs, parts_.image(entry.place)));
     }
   }
