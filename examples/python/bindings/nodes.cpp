@@ -86,7 +86,7 @@ NodeArray picked(const NodeArray& array, const py::object& key) {
 void bind_nodes(py::module_& module) {
   py::class_<AppearanceKind>(module, "AppearanceKind", doc("AppearanceKind"))
       .def(py::init<std::string_view, std::size_t>(), py::arg("name"), py::arg("length"),
-           doc("AppearanceKind.AppearanceKind"))
+           doc("DescriptorKind.DescriptorKind"))
       .def_static(
           "color", [] { return topobag::ColorDescriptor::kind; }, "That of color_descriptors.")
       .def(py::pickle(
