@@ -40,9 +40,11 @@ TEST_CASE("key frames of one spot are one place", "[bag]") {
   CHECK(places.size() == 2);
 }
 
-TEST_CASE("without poses runs of ids are places, those of each session apart", "[bag]") {
+TEST_CASE("without poses runs of ids that have stamps are places, those of each session apart",
+          "[bag]") {
   PlaceCount places;
   EntryInfo info;
+  info.stamp = 0.0;
   for (std::uint64_t id = 0; id < 2 * PlaceCount::ids_per_place; ++id) {
     places.add(KeyframeId{id}, info);
   }
@@ -50,6 +52,12 @@ TEST_CASE("without poses runs of ids are places, those of each session apart", "
   info.session = 1;
   places.add(KeyframeId{0}, info);
   CHECK(places.size() == 3);
+}
+
+TEST_CASE("key frames of which nothing tells what they are near are places each", "[bag]") {
+  PlaceCount places;
+  for (std::uint64_t id = 0; id < 10; ++id) places.add(KeyframeId{id}, EntryInfo{});
+  CHECK(places.size() == 10);
 }
 
 TEST_CASE(

@@ -28,6 +28,13 @@ TEST_CASE("by default one query in a thousand may be accepted falsely", "[recogn
   CHECK(50.0 * std::pow(10.0, -score - options.surplus) == Approx(options.false_accept_rate));
 }
 
+TEST_CASE("more is asked of graphs of which nothing can be missing", "[recognition]") {
+  const DecisionOptions options;
+  CHECK(options.threshold(7, false) - options.threshold(7, true) ==
+        Approx(options.surplus - options.surplus_without_views));
+  CHECK(options.surplus > options.surplus_without_views);
+}
+
 TEST_CASE("a score that is asked for goes before the rate", "[recognition]") {
   DecisionOptions options;
   options.min_score = 4.5;

@@ -19,10 +19,11 @@ void bind_options(py::module_& module) {
       .field("rival_support", &DecisionOptions::rival_support)
       .field("more_places", &DecisionOptions::more_places)
       .field("surplus", &DecisionOptions::surplus)
+      .field("surplus_without_views", &DecisionOptions::surplus_without_views)
       .field("calibration", &DecisionOptions::calibration)
       .field("min_score", &DecisionOptions::min_score)
       .def("threshold", &DecisionOptions::threshold, py::arg("places"),
-           doc("DecisionOptions.threshold"));
+           py::arg("with_views") = true, doc("DecisionOptions.threshold"));
   Fields<RecognitionOptions>(module, "RecognitionOptions")
       .field("retrieval", &RecognitionOptions::retrieval)
       .field("matching", &RecognitionOptions::matching)

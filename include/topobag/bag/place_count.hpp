@@ -18,10 +18,10 @@ inline namespace v0 {
 /// are. A query asks them all, so that its chance of a false match grows with them; more exactly,
 /// with those that hold objects like the matched ones, for no other could have given the match.
 ///
-/// Places are the cells of a grid of `cell` m that hold a camera. Key frames without a pose, of
-/// which nothing tells how far apart they are, count by their ids: those of one session in one run
-/// of `ids_per_place` are one place. The count depends on what is in the map alone, not on the
-/// order in which it came.
+/// Places are the cells of a grid of `cell` m that hold a camera. Key frames without a pose count by
+/// their ids: those of one session in one run of `ids_per_place` are one place, if stamps say that
+/// they follow each other; of one without either, nothing tells what it is near, and it is a place.
+/// The count depends on what is in the map alone, not on the order in which it came.
 class PlaceCount {
  public:
   static constexpr double cell = 3.0;                 ///< m, about as far as a view has objects
@@ -83,7 +83,8 @@ class PlaceCount {
 
   static Key key_of(KeyframeId id, const EntryInfo& info) {
     if (!info.T_world_camera) {
-      return {false, info.session, static_cast<std::int64_t>(value(id) / ids_per_place), 0};
+      const std::uint64_t run = info.stamp ? ids_per_place : 1;
+      return {false, info.session, static_cast<std::int64_t>(value(id) / run), info.stamp ? 1 : 0};
     }
     const auto at = info.T_world_camera->translation();
     const auto cell_of = [](double metres) {

@@ -111,23 +111,27 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
     return std::min(
         places, places_holding(bag, objects, classes, places, 0) + options.decision.more_places);
   };
+  const bool with_views = !query.views().empty() || !graph.views().empty();
+  const auto threshold = [&](std::size_t asked) {
+    return options.decision.threshold(asked, with_views);
+  };
   CandidateReport report;
   report.id = candidate.id;
   report.similarity = candidate.similarity;
   report.places = places;
-  report.threshold = options.decision.threshold(places);
+  report.threshold = threshold(places);
   GraphMatch match = match_known(graph, known, options.matching);
   report.complete = match.complete;
   if (match.poses.empty()) return report;
   prefer_determined(match.poses, [&](const RelativePose& pose) {
-    return options.decision.threshold(places_for(matched_objects(pose, query)));
+    return threshold(places_for(matched_objects(pose, query)));
   });
   report.pose = std::move(match.poses.front());
   report.other_poses.assign(std::make_move_iterator(match.poses.begin() + 1),
                             std::make_move_iterator(match.poses.end()));
   report.matched = matched_objects(*report.pose, query);
   report.places = places_for(report.matched);
-  report.threshold = options.decision.threshold(report.places);
+  report.threshold = threshold(report.places);
   return report;
 }
 
