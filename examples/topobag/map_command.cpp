@@ -3,6 +3,8 @@
 #include <memory>
 #include <string>
 
+#include <topobag/types/utf8.hpp>
+
 #include "commands.hpp"
 #include "fleet_address.hpp"
 #include "keyframe_options.hpp"
@@ -23,7 +25,7 @@ struct MapArguments {
 
 void make_map(const MapArguments& arguments) {
   if (!is_fleet_address(arguments.out)) require_folder("--out", arguments.out);
-  if (!arguments.session.empty()) require_session_name(arguments.out, arguments.session);
+  topobag::require_utf8(arguments.session, "--session");
   KeyframeOptions options = arguments.keyframes;
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
@@ -32,6 +34,10 @@ void make_map(const MapArguments& arguments) {
   write_saved_map(arguments.out, session, keyframes, options.classes.catalog, arguments.append);
   std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
             << " added\n";
+  if (!arguments.session.empty() && !keeps_session_names(arguments.out)) {
+    std::cout << arguments.out << ": a snapshot keeps no names of sessions, and so not "
+              << arguments.session << "; a map FILE.db does\n";
+  }
 }
 
 }  // namespace
@@ -49,7 +55,7 @@ void add_map_command(CLI::App& app) {
           "fleet's, else a snapshot")
       ->required();
   command.add_option("--session", arguments->session,
-                     "Name of the run [that of the table]; not for a snapshot");
+                     "Name of the run [that of the table]; a snapshot keeps none");
   command.add_flag("--append", arguments->append, "Go on mapping where there is a map");
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
   command.callback([arguments] { make_map(*arguments); });

@@ -14,7 +14,6 @@
 #include <topobag/bag/snapshot_file.hpp>
 #include <topobag/bag/writer_lock.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
-#include <topobag/types/utf8.hpp>
 
 #include "fleet_address.hpp"
 #include "fleet_map.hpp"
@@ -114,10 +113,8 @@ bool is_sqlite_map(const std::string& path) {
 
 }  // namespace
 
-void require_session_name(const std::string& path, const std::string& session) {
-  topobag::require_utf8(session, "--session");
-  if (is_fleet_address(path) || is_sqlite_map(path)) return;
-  throw InputError("--session", "a snapshot keeps no names of sessions; write a map FILE.db");
+bool keeps_session_names(const std::string& path) {
+  return is_fleet_address(path) || is_sqlite_map(path);
 }
 
 Bag new_entries(const Bag& bag, const std::vector<Keyframe>& keyframes) {

@@ -35,9 +35,9 @@ void require_sqlite_map(const std::string& path);
 SavedMap read_saved_map(const std::string& path,
                         const topobag::ClassCatalog& catalog = topobag::ClassCatalog::coco80());
 
-/// Throws InputError where a map, there or to be, cannot keep what a session is called, and
-/// topobag::Error for what is no text.
-void require_session_name(const std::string& path, const std::string& session);
+/// Whether a map, there or to be, keeps what its sessions are called: snapshots do not. Throws
+/// InputError for a file that is no map.
+bool keeps_session_names(const std::string& path);
 
 /// Writes a session, whole or not at all: FILE.db becomes an SQLite map, any other name a snapshot;
 /// a map that is there stays what it is and has to be asked for with `append`. Who writes to the
