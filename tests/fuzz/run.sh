@@ -13,7 +13,8 @@ shift || true
 targets=("$@")
 [ ${#targets[@]} -gt 0 ] || targets=(saved_bag graph_codec trajectory node_table box_file class_list sqlite_row delaunay match)
 program=examples/topobag
-declare -A sources=([node_table]="$program/node_table.cpp $program/csv_reader.cpp"
+declare -A sources=([node_table]="$program/node_table.cpp $program/csv_reader.cpp $program/appearance_columns.cpp
+    $program/depth_column.cpp $program/label_column.cpp"
   [box_file]="$program/box_files.cpp $program/coco_file.cpp $program/image_names.cpp
     $program/json_output.cpp $program/csv_reader.cpp"
   [class_list]="$program/class_list.cpp $program/csv_reader.cpp" [sqlite_row]=-lsqlite3 [delaunay]="-lgmp -lmpfr")
@@ -45,11 +46,24 @@ seed box_file yolo <(printf '\x01') <(printf '0 0.5 0.5 0.1 0.2 0.9\n1 0.1 0.1 0
 seed box_file coco <(printf '\x00') \
   <(printf '[{"image_id": 1, "category_id": 1, "bbox": [1, 2, 3, 4], "score": 0.5}]')
 
-for target in "${targets[@]}"; do
+build() {
   # shellcheck disable=SC2086 # several words
   clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined \
     -frounding-math -Iinclude -Itests -I$program -isystem /usr/include/eigen3 \
-    "tests/fuzz/$target.cpp" ${sources[$target]:-} -o "$out/fuzz_$target"
+    "tests/fuzz/$1.cpp" ${sources[$1]:-} -o "$out/fuzz_$1"
+}
+running=0
+for target in "${targets[@]}"; do
+  build "$target" &
+  running=$((running + 1))
+  if [ $running -ge "$(nproc)" ]; then
+    wait -n
+    running=$((running - 1))
+  fi
+done
+for ((; running > 0; running--)); do wait -n; done
+
+for target in "${targets[@]}"; do
   "$out/fuzz_$target" -max_total_time="$seconds" -artifact_prefix="$out/crash-$target-" \
     "$out/$target" 2>"$out/log.txt" || { tail -n 40 "$out/log.txt" && exit 1; }
   echo "$target: $(grep '^Done' "$out/log.txt")"
