@@ -95,21 +95,35 @@ GRANT INSERT (site, robot, session, seq, keyframe, run, stamp, label, tx, ty, tz
               graph, catalog, appearance, checksum, tombstone) ON topobag.version TO PUBLIC;
 )sql";
 
-/// Images of key frames: NULL where there is none. Each has a checksum of its own, so that what was
-/// pushed without its image is not taken for another content. The rights and policies of a version
-/// are its image's.
-inline constexpr const char* postgres_image_step = R"sql(
+/// Images of key frames: NULL where there is none, and what is said of a site's classes. Each image
+/// has a checksum of its own, so that what was pushed without its image is not taken for another
+/// content. The rights and policies of a version are its image's; of classes, who reads a site
+/// reads them.
+inline constexpr const char* postgres_second_step = R"sql(
 ALTER TABLE topobag.version
   ADD COLUMN image_kind bigint,
   ADD COLUMN image bytea,
   ADD COLUMN image_checksum bigint;
 GRANT INSERT (image_kind, image, image_checksum) ON topobag.version TO PUBLIC;
+CREATE TABLE topobag.class(
+  site text NOT NULL REFERENCES topobag.site,
+  id bigint NOT NULL,
+  name bytea NOT NULL,
+  dynamics bigint NOT NULL,
+  lookalike bigint,
+  width double precision,
+  height double precision,
+  PRIMARY KEY (site, id));
+ALTER TABLE topobag.class ENABLE ROW LEVEL SECURITY;
+CREATE POLICY admitted ON topobag.class FOR SELECT
+  USING (site IN (SELECT site FROM topobag.access));
+GRANT SELECT ON topobag.class TO PUBLIC;
 )sql";
 
 /// What takes a data base from one version of the schema to the next. Written once, never changed:
 /// a new schema is a new step.
 inline constexpr std::array<const char*, postgres_schema_version> postgres_migrations = {
-    postgres_first_step, postgres_image_step};
+    postgres_first_step, postgres_second_step};
 
 /// The schema's version; 0 where there is none.
 inline std::int64_t postgres_version(PostgresConnection& connection) {
