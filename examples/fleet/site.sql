@@ -4,5 +4,6 @@
 -- notes its own, by which its followers read.
 CREATE PUBLICATION topobag
   FOR TABLE topobag.version (site, robot, session, seq, keyframe, run, stamp, label, tx, ty, tz, qx,
-                             qy, qz, qw, graph, catalog, appearance, checksum, tombstone)
+                             qy, qz, qw, graph, catalog, appearance, checksum, tombstone,
+                             image_kind, image, image_checksum)
   WITH (publish = 'insert', publish_via_partition_root = true);

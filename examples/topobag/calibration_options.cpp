@@ -34,7 +34,8 @@ void add_calibration_options(CLI::App& command, CalibrationArguments& arguments)
 }
 
 CalibrationRequest calibration_request(const CalibrationArguments& arguments,
-                                       const RecognitionArguments& recognition) {
+                                       const RecognitionArguments& recognition,
+                                       const ObjectClasses& classes) {
   CalibrationRequest request;
   request.false_accept_rate = arguments.false_accept_rate;
   request.learn = arguments.calibrate;
@@ -46,6 +47,7 @@ CalibrationRequest calibration_request(const CalibrationArguments& arguments,
     }
   }
   KeyframeOptions options = recognition.keyframes;
+  options.classes = classes;
   options.camera = with_size(options.camera, recognition.image_size);
   for (const std::string& set : arguments.other_places) {
     std::vector<Keyframe> keyframes = read_keyframes(set, options);

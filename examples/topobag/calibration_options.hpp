@@ -25,7 +25,8 @@ void add_calibration_options(CLI::App& command, CalibrationArguments& arguments)
 /// What was asked for, with its files read and the tables of other places read as the queries are.
 /// Throws InputError.
 CalibrationRequest calibration_request(const CalibrationArguments& arguments,
-                                       const RecognitionArguments& recognition);
+                                       const RecognitionArguments& recognition,
+                                       const ObjectClasses& classes);
 
 /// Writes what the run learnt where it was asked for. Throws InputError.
 void save_calibration(const CalibrationArguments& arguments, const RecognitionRun& run);

@@ -56,7 +56,8 @@ void explain_frame(const ExplainArguments& arguments) {
                                           arguments.recognition.image_size);
   keep_query(run, arguments.frame);
   run.kept = KeptCandidates::reports;
-  look_up_in_map(run, calibration_request(arguments.calibration, arguments.recognition));
+  look_up_in_map(run,
+                 calibration_request(arguments.calibration, arguments.recognition, run.classes));
   save_calibration(arguments.calibration, run);
   topobag::Explanation explanation = explain_look_up(run, 0);
   if (!arguments.svg.empty()) {

@@ -92,7 +92,8 @@ Json session_json(const SavedSession& session, const MapFigures& figures) {
 }
 
 void inform(const InfoArguments& arguments) {
-  const SavedMap map = read_saved_map(arguments.map, arguments.classes.catalog);
+  const ObjectClasses classes = classes_of_maps({arguments.map}, arguments.classes);
+  const SavedMap map = read_saved_map(arguments.map, classes);
   MapFigures figures;
   map.bag.for_each([&](topobag::KeyframeId, const topobag::EntryInfo& info,
                        const topobag::TopologyGraph<>& graph) { figures.add(info, graph); });
@@ -118,7 +119,7 @@ void inform(const InfoArguments& arguments) {
                     {"graph_bytes_per_keyframe", or_null(mean_of(figures.graph_bytes))},
                     {"view_bytes_per_keyframe", or_null(mean_of(figures.view_bytes))},
                     {"sessions", sessions},
-                    {"objects", class_counts(figures, arguments.classes.catalog)}};
+                    {"objects", class_counts(figures, classes.catalog)}};
   std::cout << output_text(result, arguments.json);
 }
 

@@ -81,6 +81,7 @@ void require_own(const MapAndQuery& tables) {
 RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions options,
                                   const ImageSize& image_size) {
   require_own(tables);
+  options.classes = classes_of_maps({tables.map}, options.classes);
   options.camera = with_size(options.camera, image_size);
   KeyframeOptions map_options = options;
   if (tables.map_camera.fx > 0.0) map_options.camera = with_size(tables.map_camera, image_size);

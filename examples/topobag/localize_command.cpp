@@ -34,7 +34,7 @@ void localize(const LocalizeArguments& arguments) {
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
   run.queries = thinned(run.queries, common.query_interval);
   run.kept = kept_for(arguments.report);
-  look_up_in_map(run, calibration_request(arguments.calibration, common),
+  look_up_in_map(run, calibration_request(arguments.calibration, common, run.classes),
                  arguments.leave_out_radius);
   require_queries(run);
   run.in_map = count_in_map(run);

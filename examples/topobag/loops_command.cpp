@@ -34,7 +34,8 @@ void find_loops(const LoopsArguments& arguments) {
   RecognitionRun run = read_sequence(arguments.nodes, common.keyframes, common.image_size);
   run.queries = thinned(run.queries, common.query_interval);
   run.kept = kept_for(arguments.report);
-  look_up_earlier(run, arguments.min_gap, calibration_request(arguments.calibration, common));
+  look_up_earlier(run, arguments.min_gap,
+                  calibration_request(arguments.calibration, common, run.classes));
   require_queries(run);
   save_calibration(arguments.calibration, run);
   score(run, common.scoring);

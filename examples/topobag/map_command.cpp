@@ -27,11 +27,12 @@ void make_map(const MapArguments& arguments) {
   if (!is_fleet_address(arguments.out)) require_folder("--out", arguments.out);
   topobag::require_utf8(arguments.session, "--session");
   KeyframeOptions options = arguments.keyframes;
+  if (arguments.append) options.classes = classes_of_maps({arguments.out}, options.classes);
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
   const std::string session =
       arguments.session.empty() ? name_of(set_name(arguments.nodes)) : arguments.session;
-  write_saved_map(arguments.out, session, keyframes, options.classes.catalog, arguments.append);
+  write_saved_map(arguments.out, session, keyframes, options.classes, arguments.append);
   std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
             << " added\n";
   if (!arguments.session.empty() && !keeps_session_names(arguments.out)) {

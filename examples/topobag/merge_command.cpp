@@ -58,10 +58,12 @@ void merge_maps(const MergeArguments& arguments) {
   if (std::filesystem::exists(arguments.out)) {
     throw InputError(arguments.out, "it exists; give another name");
   }
-  SavedMap map = read_saved_map(arguments.map, arguments.classes.catalog);
-  const SavedMap other = read_saved_map(arguments.other, arguments.classes.catalog);
+  const ObjectClasses classes =
+      classes_of_maps({arguments.map, arguments.other}, arguments.classes);
+  SavedMap map = read_saved_map(arguments.map, classes);
+  const SavedMap other = read_saved_map(arguments.other, classes);
   topobag::AlignOptions options;
-  options.recognition = recognition_options_for(arguments.classes);
+  options.recognition = recognition_options_for(classes);
   const topobag::MapAlignment alignment = topobag::align_maps(map.bag, other.bag, options);
   const std::string counts = std::to_string(alignment.agreeing) + " of " +
                              std::to_string(alignment.asked) + " key frames agree, " +
@@ -76,7 +78,7 @@ void merge_maps(const MergeArguments& arguments) {
   for (const SavedSession& session : other.sessions) {
     map.sessions.push_back({topobag::session_after(session.id, how.session_offset), session.name});
   }
-  write_new_map(arguments.out, map, arguments.classes.catalog);
+  write_new_map(arguments.out, map, classes);
   std::cout << arguments.out << ": " << map.bag.size() << " key frames, " << other.bag.size()
             << " of them of " << arguments.other << ", whose world lies at "
             << in_words(*alignment.T_a_b) << " (" << counts << ")\n";

@@ -78,6 +78,7 @@ std::array<double, 2> size_of(const topobag::TextLines& lines, const std::string
 ObjectClasses read_object_classes(const std::string& path) {
   const std::string text = read_file(path);
   ObjectClasses classes;
+  classes.file = path;
   classes.catalog = {};
   classes.lookalikes = {};
   read_class_lines(path, text, [&](const topobag::TextLines& lines, const auto& fields) {
@@ -114,12 +115,20 @@ void add_map_words(const std::string& path, ObjectClasses& classes) {
   classes.first_word = first;
 }
 
+topobag::DescribedCatalog described(const ObjectClasses& classes) {
+  topobag::DescribedCatalog catalog(classes.catalog);
+  catalog.lookalikes = classes.lookalikes;
+  catalog.sizes = classes.sizes;
+  catalog.source = classes.file.empty() ? "COCO's classes" : classes.file;
+  return catalog;
+}
+
 void add_classes_option(CLI::App& command, ObjectClasses& classes) {
   command.add_option_function<std::string>(
       "--classes", [&classes](const std::string& path) { classes = read_object_classes(path); },
       "File of your detector's classes, one a line: name, dynamics (low, medium or high), "
       "look-alikes (between |), typical size (width x height, m); a map goes with the classes that "
-      "it was made with [COCO's 80]");
+      "it was made with [those that a map keeps, else COCO's 80]");
 }
 
 topobag::RecognitionOptions recognition_options_for(const ObjectClasses& classes) {

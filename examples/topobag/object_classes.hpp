@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/recognition/recognition_options.hpp>
@@ -25,6 +26,7 @@ struct ObjectClasses {
   /// The number of the first class that is a word of the map alone; none without.
   std::optional<int> first_word{};
   TypicalSizes sizes{};  ///< of those for which the file says so
+  std::string file{};    ///< that says all this; empty: none, and a map's own classes come first
 };
 
 /// Reads classes of the user's own, one a line:
@@ -45,6 +47,9 @@ ObjectClasses read_object_classes(const std::string& path);
 /// class of its own after those of the catalog, "NAME (map)". Throws topobag::Error with the file
 /// and the line.
 void add_map_words(const std::string& path, ObjectClasses& classes);
+
+/// As maps keep and check them.
+topobag::DescribedCatalog described(const ObjectClasses& classes);
 
 /// Adds `--classes FILE`, which fills `classes`. Parsing throws topobag::Error.
 void add_classes_option(CLI::App& command, ObjectClasses& classes);

@@ -35,24 +35,27 @@ std::set<std::uint32_t> sessions_in(const Bag& bag) {
   return sessions;
 }
 
-SavedMap read_snapshot(const std::string& path, const topobag::ClassCatalog& catalog) {
+SavedMap read_snapshot(const std::string& path, const topobag::DescribedCatalog& classes) {
   const topobag::SnapshotHeader header = topobag::inspect(path);
   SavedMap saved{"snapshot, format " + std::to_string(header.format_version),
                  {},
-                 topobag::load<Bag>(path, topobag::fingerprint(catalog))};
+                 topobag::load<Bag>(path, classes)};
   for (const std::uint32_t session : sessions_in(saved.bag))
     saved.sessions.push_back({session, ""});
   return saved;
 }
 
-void write_snapshot(const std::string& path, const Bag& bag, const topobag::ClassCatalog& catalog) {
+/// @param keeps_classes  else their fingerprint alone
+void write_snapshot(const std::string& path, const Bag& bag, const ObjectClasses& classes,
+                    bool keeps_classes) {
   topobag::SaveOptions options;
-  options.catalog_fingerprint = topobag::fingerprint(catalog);
+  options.catalog_fingerprint = topobag::fingerprint(classes.catalog);
+  if (keeps_classes) options.catalog = described(classes);
   topobag::save(bag, path, options);
 }
 
 void extend_snapshot(const std::string& path, Bag bag, const Bag& entries,
-                     const topobag::ClassCatalog& catalog) {
+                     const ObjectClasses& classes) {
   const std::set<std::uint32_t> sessions = sessions_in(bag);
   const std::uint32_t session = topobag::next_session(
       sessions.empty() ? std::nullopt : std::optional<std::uint32_t>(*sessions.rbegin()));
@@ -60,7 +63,10 @@ void extend_snapshot(const std::string& path, Bag bag, const Bag& entries,
     info.session = session;
     bag.add(id, graph, std::move(info));
   });
-  write_snapshot(path, bag, catalog);
+  // What an earlier map does not say of its key frames' classes, nobody says later.
+  const bool exists = fs::exists(path);
+  write_snapshot(path, bag, classes,
+                 exists ? topobag::saved_catalog(path).has_value() : !classes.file.empty());
 }
 
 /// Throws when a map holds all of the entries: a sequence mapped twice is found by itself.
@@ -84,6 +90,26 @@ void require_new(const std::string& path, const Bag& bag, const Bag& entries) {
   throw InputError(path, "the map holds these key frames already, as session " +
                              std::to_string(*sessions.begin()) +
                              ": mapped twice, a place is found by itself");
+}
+
+/// The classes that a map keeps; what it leaves unsaid, and other names of the same classes, as
+/// given.
+ObjectClasses with_kept(ObjectClasses classes, const topobag::DescribedCatalog& kept,
+                        const std::string& path) {
+  if (topobag::fingerprint(kept.catalog) == topobag::fingerprint(classes.catalog)) {
+    if (!topobag::difference(kept, described(classes))) return classes;
+    for (const topobag::ClassId id : kept.catalog.ids()) {
+      classes.catalog.set_dynamics(id, kept.catalog.dynamics(id));
+    }
+  } else {
+    classes.catalog = kept.catalog;
+    classes.lookalikes = topobag::lookalike_classes(kept.catalog);
+    classes.sizes = {};
+  }
+  classes.file = path;
+  if (kept.lookalikes) classes.lookalikes = *kept.lookalikes;
+  if (kept.sizes) classes.sizes = *kept.sizes;
+  return classes;
 }
 
 /// Which kind of map a new file is.
@@ -148,19 +174,30 @@ void require_sqlite_map(const std::string& path) {
                    "makes an SQLite map");
 }
 
-SavedMap read_saved_map(const std::string& path, const topobag::ClassCatalog& catalog) {
-  if (is_fleet_address(path)) return read_fleet_map(path, catalog);
-  return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path, catalog)
-                                          : read_snapshot(path, catalog);
+ObjectClasses classes_of_maps(const std::vector<std::string>& paths, const ObjectClasses& given) {
+  if (!given.file.empty() || given.first_word || given.confusion) return given;
+  for (const std::string& path : paths) {
+    if (is_fleet_address(path) || !is_saved_map(path)) continue;
+    const auto kept =
+        kind_of(path) == MapKind::sqlite ? sqlite_map_classes(path) : topobag::saved_catalog(path);
+    if (kept) return with_kept(given, *kept, path);
+  }
+  return given;
+}
+
+SavedMap read_saved_map(const std::string& path, const ObjectClasses& classes) {
+  if (is_fleet_address(path)) return read_fleet_map(path, classes.catalog);
+  return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path, described(classes))
+                                          : read_snapshot(path, described(classes));
 }
 
 void write_saved_map(const std::string& path, const std::string& session,
-                     const std::vector<Keyframe>& keyframes, const topobag::ClassCatalog& catalog,
+                     const std::vector<Keyframe>& keyframes, const ObjectClasses& classes,
                      bool append) {
   if (is_fleet_address(path)) {
     const Bag entries = new_entries(Bag(), keyframes);
-    require_new(path, read_fleet_map(path, catalog).bag, entries);
-    extend_fleet_map(path, session, entries, catalog);
+    require_new(path, read_fleet_map(path, classes.catalog).bag, entries);
+    extend_fleet_map(path, session, entries, classes.catalog);
     return;
   }
   if (fs::is_directory(path)) throw InputError(path, "it is a folder; name a file in it");
@@ -169,28 +206,27 @@ void write_saved_map(const std::string& path, const std::string& session,
   if (exists && !append) {
     throw InputError(path, "it exists; give --append to go on mapping, or another name");
   }
-  Bag bag = exists ? read_saved_map(path, catalog).bag : Bag();
+  Bag bag = exists ? read_saved_map(path, classes).bag : Bag();
   const Bag entries = new_entries(bag, keyframes);
   require_new(path, bag, entries);
   if (is_sqlite_map(path)) {
-    extend_sqlite_map(path, session, entries, catalog);
+    extend_sqlite_map(path, session, entries, described(classes));
   } else {
-    extend_snapshot(path, std::move(bag), entries, catalog);
+    extend_snapshot(path, std::move(bag), entries, classes);
   }
 }
 
-void write_new_map(const std::string& path, const SavedMap& map,
-                   const topobag::ClassCatalog& catalog) {
+void write_new_map(const std::string& path, const SavedMap& map, const ObjectClasses& classes) {
   if (is_sqlite_name(path)) {
-    write_sqlite_map(path, map, catalog);
+    write_sqlite_map(path, map, described(classes));
   } else {
-    write_snapshot(path, map.bag, catalog);
+    write_snapshot(path, map.bag, classes, !classes.file.empty());
   }
 }
 
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options) {
   if (!is_saved_map(map)) return read_keyframes(map, options);
-  const SavedMap saved = read_saved_map(map, options.classes.catalog);
+  const SavedMap saved = read_saved_map(map, options.classes);
   std::map<std::uint32_t, SavedSession> sessions;
   for (const SavedSession& session : saved.sessions) sessions[session.id] = session;
   std::map<std::uint32_t, std::uint64_t> first_ids;

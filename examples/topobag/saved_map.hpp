@@ -30,10 +30,13 @@ bool is_saved_map(const std::string& path);
 /// Throws InputError for a path where there is no SQLite map.
 void require_sqlite_map(const std::string& path);
 
+/// The classes of the first of these maps that keeps its own, where none were asked for; else those
+/// given. Tables, and a fleet's maps, keep none. Throws topobag::Error.
+ObjectClasses classes_of_maps(const std::vector<std::string>& paths, const ObjectClasses& given);
+
 /// Throws InputError for a file that is neither kind of map; topobag::Error for one that is
-/// damaged, or was made with other classes than those of `catalog`.
-SavedMap read_saved_map(const std::string& path,
-                        const topobag::ClassCatalog& catalog = topobag::ClassCatalog::coco80());
+/// damaged, or was made with other classes, or keeps something else of them.
+SavedMap read_saved_map(const std::string& path, const ObjectClasses& classes = {});
 
 /// Whether a map, there or to be, keeps what its sessions are called: snapshots do not. Throws
 /// InputError for a file that is no map.
@@ -42,16 +45,16 @@ bool keeps_session_names(const std::string& path);
 /// Writes a session, whole or not at all: FILE.db becomes an SQLite map, any other name a snapshot;
 /// a map that is there stays what it is and has to be asked for with `append`. Who writes to the
 /// same map meanwhile waits. A fleet's server takes a session at any time.
-/// @param catalog  of the key frames' objects, which the map keeps: it is read with no other
+/// @param classes  of the key frames' objects, which a new map keeps, a snapshot where they are not
+///                 COCO's: it is read with no other
 /// Throws InputError and topobag::Error.
 void write_saved_map(const std::string& path, const std::string& session,
-                     const std::vector<Keyframe>& keyframes, const topobag::ClassCatalog& catalog,
+                     const std::vector<Keyframe>& keyframes, const ObjectClasses& classes,
                      bool append);
 
 /// Writes a map where there is none, whole or not at all: FILE.db becomes an SQLite map, any other
 /// name a snapshot, which does not keep the sessions' names. Throws InputError and topobag::Error.
-void write_new_map(const std::string& path, const SavedMap& map,
-                   const topobag::ClassCatalog& catalog);
+void write_new_map(const std::string& path, const SavedMap& map, const ObjectClasses& classes);
 
 /// The key frames of a map: of a file, or, as `read_keyframes` makes them, of a table; never none.
 /// Those of a file are numbered within their session, whose ids begin after the last one's before.

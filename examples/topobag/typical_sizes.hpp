@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <map>
 #include <vector>
 
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
-#include <topobag/types/ids.hpp>
 
 #include "node_table.hpp"
 
 namespace program {
 
-/// Width and height, m, that the objects of a class usually have.
-using TypicalSizes = std::map<topobag::ClassId, std::array<double, 2>>;
+using topobag::TypicalSizes;
 
 /// A box at its depth more than so many times as large as is typical, or as small, is not believed.
 inline constexpr double max_size_factor = 4.0;

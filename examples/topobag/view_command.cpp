@@ -47,6 +47,7 @@ RecognitionRun viewed_run(const ViewArguments& arguments) {
   } else {
     KeyframeOptions options = arguments.keyframes;
     options.camera = camera_of(arguments);
+    options.classes = classes_of_maps({arguments.tables.map}, options.classes);
     run.classes = options.classes;
     run.map_set = run.query_set = set_name(arguments.tables.map);
     run.map = read_map(arguments.tables.map, options);
@@ -61,8 +62,7 @@ RecognitionRun viewed_run(const ViewArguments& arguments) {
 
 void view(const ViewArguments& arguments) {
   const RecognitionRun run = viewed_run(arguments);
-  const Json shown =
-      map_view(run, camera_of(arguments), arguments.keyframes.gravity.world_up);
+  const Json shown = map_view(run, camera_of(arguments), arguments.keyframes.gravity.world_up);
   write_file(arguments.out, view_page(shown));
   std::cout << arguments.out << ": " << shown.at("keyframes").at("name").size() << " key frames, "
             << shown.at("objects").at("class").size() << " objects, " << shown.at("matches").size()

@@ -10,6 +10,7 @@
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/build_indexed_bag.hpp>
 #include <topobag/bag/camera_poses.hpp>
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/graph_codec.hpp>

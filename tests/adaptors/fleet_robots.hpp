@@ -10,6 +10,7 @@
 
 #include <topobag/adaptors/fleet_bag.hpp>
 
+#include "bag/described_images.hpp"
 #include "catch.hpp"
 #include "random_graphs.hpp"
 #include "scratch_folder.hpp"
@@ -64,6 +65,7 @@ class SimulatedRobot {
  private:
   static topobag::EntryInfo some_info(std::mt19937& random) {
     topobag::EntryInfo info;
+    info.image = random_image(random);
     info.session = static_cast<std::uint32_t>(random() % 2);
     if (random() % 4 != 0) info.stamp = static_cast<double>(random()) / 7.0;
     if (random() % 4 != 0) {
@@ -110,6 +112,7 @@ inline void require_union(const topobag::FleetView& view, const FleetUnion& all,
     const auto& [expected, expected_graph] = all.at(keys[at++]);
     REQUIRE(info.stamp == expected.stamp);
     REQUIRE(info.label == expected.label);
+    REQUIRE(info.image == expected.image);
     REQUIRE(info.T_world_camera.has_value() == expected.T_world_camera.has_value());
     if (info.T_world_camera) {
       REQUIRE(info.T_world_camera->matrix() == expected.T_world_camera->matrix());

@@ -71,7 +71,7 @@ TEST_CASE("a table that is mapped to a server answers as one that is mapped to a
         "hall: 67 versions of 1 robots\nyard: 0 versions of 0 robots\n");
 
   auto at_server = fleet_json("info --json " + hall), in_file = fleet_json("info --json " + file);
-  CHECK(at_server.at("format") == "PostgreSQL, schema 1");
+  CHECK(at_server.at("format") == "PostgreSQL, schema 2");
   CHECK(at_server.at("file_bytes").is_null());
   CHECK(at_server.at("keyframes") == 67);
   CHECK(at_server.at("objects") == in_file.at("objects"));

@@ -30,7 +30,6 @@ TEST_CASE("two maps of one desk become one", "[examples]") {
   const ScratchFolder folder;
   const Eigen::Isometry3d T_map_other =
       Eigen::Translation3d(3.0, 1.0, 0.5) * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ());
-  const auto catalog = topobag::ClassCatalog::coco80();
   const auto map = sample_map_at(sample_map, Eigen::Isometry3d::Identity());
   const auto other = sample_map_at(sample_query, T_map_other.inverse());
 #ifdef TOPOBAG_HAS_SQLITE
@@ -40,14 +39,14 @@ TEST_CASE("two maps of one desk become one", "[examples]") {
   const std::string ours = folder.path("a.bag"), joined = folder.path("c.bag");
   const std::string theirs = folder.path("b.bag");
 #endif
-  program::write_new_map(ours, map, catalog);
-  program::write_new_map(theirs, other, catalog);
+  program::write_new_map(ours, map, {});
+  program::write_new_map(theirs, other, {});
   const std::string command = "merge " + ours + ' ' + theirs + " --out " + joined;
   const ProgramRun run = run_program(command);
   CAPTURE(run.err, run.out);
   REQUIRE(run.exit_code == 0);
   CHECK(run.out.find(joined + ": ") == 0);
-  const auto both = program::read_saved_map(joined, catalog);
+  const auto both = program::read_saved_map(joined);
   CHECK(both.bag.size() == map.bag.size() + other.bag.size());
 #ifdef TOPOBAG_HAS_SQLITE
   REQUIRE(both.sessions.size() == 2);
@@ -72,11 +71,10 @@ TEST_CASE("two maps of one desk become one", "[examples]") {
 
 TEST_CASE("maps without poses are not joined", "[examples]") {
   const ScratchFolder folder;
-  const auto catalog = topobag::ClassCatalog::coco80();
   auto map = sample_map_at(sample_map, Eigen::Isometry3d::Identity());
-  program::write_new_map(folder.path("a.bag"), map, catalog);
+  program::write_new_map(folder.path("a.bag"), map, {});
   map.bag.clear();
-  program::write_new_map(folder.path("b.bag"), map, catalog);
+  program::write_new_map(folder.path("b.bag"), map, {});
   CHECK(refusal("merge " + folder.path("a.bag") + ' ' + folder.path("b.bag") + " --out " +
                 folder.path("c.bag"))
             .find(folder.path("b.bag") + ": a map has no key frame with a pose") == 0);

@@ -54,8 +54,9 @@ Graph graph_at(const Map& map, KeyframeId id) {
 }
 
 EntryInfo info_from(const std::optional<double>& stamp, std::uint32_t session,
-                    const std::optional<Eigen::Isometry3d>& T_world_camera, std::string label) {
-  return {stamp, session, T_world_camera, std::move(label)};
+                    const std::optional<Eigen::Isometry3d>& T_world_camera, std::string label,
+                    topobag::ImageDescriptor image) {
+  return {stamp, session, T_world_camera, std::move(label), std::move(image)};
 }
 
 /// `Map::add` or `Map::update` with the info's members as arguments.
@@ -66,17 +67,19 @@ void define_change(py::class_<Map, std::shared_ptr<Map>>& type, const char* name
       name,
       [change](Map& map, KeyframeId id, const Graph& graph, const std::optional<double>& stamp,
                const std::optional<Eigen::Isometry3d>& T_world_camera, std::uint32_t session,
-               std::string label) {
-        (map.*change)(id, graph, info_from(stamp, session, T_world_camera, std::move(label)));
+               std::string label, topobag::ImageDescriptor image) {
+        (map.*change)(
+            id, graph,
+            info_from(stamp, session, T_world_camera, std::move(label), std::move(image)));
       },
       py::arg("id"), py::arg("graph"), py::kw_only(), py::arg("stamp") = py::none(),
       py::arg("T_world_camera") = py::none(), py::arg("session") = 0, py::arg("label") = "",
-      Unlocked(), text);
+      py::arg_v("image", topobag::ImageDescriptor(), "ImageDescriptor()"), Unlocked(), text);
 }
 
 template <typename Bag>
 Bag loaded(const std::string& path, const std::optional<ClassCatalog>& catalog) {
-  return topobag::load<Bag>(path, fingerprint_of(catalog));
+  return catalog ? topobag::load<Bag>(path, *catalog) : topobag::load<Bag>(path);
 }
 
 py::bytes snapshot_of(const Map& map) {

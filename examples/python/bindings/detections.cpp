@@ -22,12 +22,11 @@ py::array_t<double> rows_of_boxes(const std::vector<topobag::BoundingBox>& boxes
   return rows;
 }
 
-std::vector<topobag::RangedDetection> detections_from(const ArrayLike& boxes,
-                                                      const ArrayLike& labels,
-                                                      const std::optional<ArrayLike>& scores,
-                                                      const std::optional<ArrayLike>& z,
-                                                      const std::optional<ArrayLike>& appearances,
-                                                      const py::object& appearance_kind) {
+std::vector<topobag::RangedDetection> detections_from(
+    const ArrayLike& boxes, const ArrayLike& labels, const std::optional<ArrayLike>& scores,
+    const std::optional<ArrayLike>& z, const std::optional<ArrayLike>& appearances,
+    const py::object& appearance_kind, const std::optional<ArrayLike>& weighted_labels,
+    const std::optional<ArrayLike>& label_weights) {
   std::vector<topobag::RangedDetection> detections;
   for (const topobag::BoundingBox& box : boxes_from(boxes)) detections.emplace_back().box = box;
   const auto count = static_cast<py::ssize_t>(detections.size());
@@ -52,6 +51,8 @@ std::vector<topobag::RangedDetection> detections_from(const ArrayLike& boxes,
     const auto looks = appearances_from(*appearances, appearance_kind, count);
     for (std::size_t i = 0; i < looks.size(); ++i) detections[i].appearance = looks[i];
   }
+  const auto weights = label_weights_from(weighted_labels, label_weights, count);
+  for (std::size_t i = 0; i < weights.size(); ++i) detections[i].label_weights = weights[i];
   return detections;
 }
 

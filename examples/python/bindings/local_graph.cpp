@@ -20,10 +20,13 @@ Sighting sighted(double stamp, const ArrayLike& boxes, const ArrayLike& labels,
                  const std::optional<ArrayLike>& scores, const ArrayLike& z,
                  const topobag::PinholeCamera<>& camera, const topobag::ClassCatalog& catalog,
                  const topobag::SightingOptions& options,
-                 const std::optional<ArrayLike>& appearances, const py::object& appearance_kind) {
-  return topobag::sight_keyframe(
-      stamp, detections_from(boxes, labels, scores, z, appearances, appearance_kind), camera,
-      catalog, options);
+                 const std::optional<ArrayLike>& appearances, const py::object& appearance_kind,
+                 const std::optional<ArrayLike>& weighted_labels,
+                 const std::optional<ArrayLike>& label_weights) {
+  return topobag::sight_keyframe(stamp,
+                                 detections_from(boxes, labels, scores, z, appearances,
+                                                 appearance_kind, weighted_labels, label_weights),
+                                 camera, catalog, options);
 }
 
 topobag::TopologyGraph<> fused(const LocalGraph& local, const py::object& edges) {
@@ -59,6 +62,7 @@ void bind_local_graph(py::module_& module) {
              py::arg_v("catalog", topobag::ClassCatalog::coco80(), "ClassCatalog.coco80()"),
              py::arg_v("options", SightingOptions(), "SightingOptions()"), py::kw_only(),
              py::arg("appearances") = py::none(), py::arg("appearance_kind") = "own",
+             py::arg("weighted_labels") = py::none(), py::arg("label_weights") = py::none(),
              doc("sight_keyframe"));
   py::class_<LocalGraph>(module, "LocalGraph", doc("LocalGraph"))
       .def(py::init<topobag::LocalGraphOptions>(),

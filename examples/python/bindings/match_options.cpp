@@ -59,6 +59,7 @@ void bind_chance(py::module_& module) {
       .field("height_spread", &ChanceModel::height_spread)
       .field("sizes", &ChanceModel::sizes)
       .field("relabeling", &ChanceModel::relabeling)
+      .field("affinity", &ChanceModel::affinity)
       .field("appearance", &ChanceModel::appearance)
       .field("layouts", &ChanceModel::layouts);
 }
@@ -103,6 +104,8 @@ void bind_agreement(py::module_& module) {
   module.def("lookalike_classes", &lookalike_classes, py::arg("catalog"), doc("lookalike_classes"));
   Fields<ConsistencyOptions>(module, "ConsistencyOptions")
       .field("classes", &ConsistencyOptions::classes)
+      .field("affinity", &ConsistencyOptions::affinity)
+      .field("min_affinity", &ConsistencyOptions::min_affinity)
       .field("max_size_ratio", &ConsistencyOptions::max_size_ratio)
       .field("deviations", &ConsistencyOptions::deviations)
       .field("min_tolerance", &ConsistencyOptions::min_tolerance)

@@ -21,6 +21,7 @@ PYBIND11_MODULE(_topobag, module) {
   python::bind_match_options(module);
   python::bind_local_graph(module);
   python::bind_matching(module);
+  python::bind_images(module);
   python::bind_queries(module);
   python::bind_bags(module);
   python::bind_calibration(module);

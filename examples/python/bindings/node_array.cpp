@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node_array.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <topobag/error.hpp>
@@ -25,6 +26,24 @@ py::array_t<Number> rows_of(const std::vector<Node>& nodes, std::vector<py::ssiz
 }
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+/// Throws InvalidValue for what is no class id, with the object's row.
+topobag::ClassId class_of(std::int64_t number, py::ssize_t row) {
+  if (number < std::numeric_limits<std::int32_t>::min() ||
+      number > std::numeric_limits<std::int32_t>::max()) {
+    throw topobag::InvalidValue("label " + std::to_string(row) + " is " + std::to_string(number) +
+                                    ", which is no 32-bit number",
+                                static_cast<std::size_t>(row));
+  }
+  return topobag::ClassId{static_cast<std::int32_t>(number)};
+}
+
+/// As many columns as the node of most classes has.
+py::ssize_t most_labels(const std::vector<Node>& nodes) {
+  std::size_t most = 0;
+  for (const Node& node : nodes) most = std::max(most, node.label_weights.size());
+  return static_cast<py::ssize_t>(most);
+}
 
 }  // namespace
 
@@ -67,6 +86,19 @@ py::array_t<std::int8_t> appearances_of(const std::vector<Node>& nodes) {
                               });
 }
 
+py::array_t<std::int32_t> weighted_labels_of(const std::vector<Node>& nodes) {
+  return rows_of<std::int32_t>(nodes, {most_labels(nodes)}, [](const Node& node, py::ssize_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    return k < node.label_weights.size() ? topobag::value(node.label_weights.label(k)) : -1;
+  });
+}
+py::array_t<double> label_weights_of(const std::vector<Node>& nodes) {
+  return rows_of<double>(nodes, {most_labels(nodes)}, [](const Node& node, py::ssize_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    return k < node.label_weights.size() ? node.label_weights.byte(k) / 255.0 : 0.0;
+  });
+}
+
 std::vector<topobag::Appearance> appearances_from(const ArrayLike& rows, const py::object& kind,
                                                   py::ssize_t count) {
   const py::array_t<double> given = numbers(rows, "appearances", {any, any});
@@ -87,20 +119,41 @@ std::vector<topobag::Appearance> appearances_from(const ArrayLike& rows, const p
   return appearances;
 }
 
+std::vector<topobag::LabelWeights> label_weights_from(const std::optional<ArrayLike>& labels,
+                                                      const std::optional<ArrayLike>& weights,
+                                                      py::ssize_t count) {
+  std::vector<topobag::LabelWeights> all(static_cast<std::size_t>(count));
+  if (!labels && !weights) return all;
+  if (!labels || !weights) {
+    throw topobag::InvalidValue("weighted_labels and label_weights go together: give both");
+  }
+  const auto given = whole_numbers(*labels, "weighted_labels", {any, any});
+  const auto shares = numbers(*weights, "label_weights", {any, given.shape(1)});
+  require_rows(given, "weighted_labels", count, "labels");
+  require_rows(shares, "label_weights", count, "labels");
+  const auto label = given.unchecked<2>();
+  const auto weight = shares.unchecked<2>();
+  for (py::ssize_t i = 0; i < count; ++i) {
+    std::vector<topobag::WeightedLabel> row;
+    for (py::ssize_t k = 0; k < given.shape(1); ++k) {
+      row.push_back({class_of(label(i, k), i), weight(i, k)});
+    }
+    try {
+      all[static_cast<std::size_t>(i)] = topobag::LabelWeights(row);
+    } catch (const topobag::InvalidValue& error) {
+      throw topobag::InvalidValue("object " + std::to_string(i) + ": " + error.what(),
+                                  static_cast<std::size_t>(i));
+    }
+  }
+  return all;
+}
+
 std::vector<topobag::ClassId> labels_from(const ArrayLike& labels) {
   const py::array_t<std::int64_t> given = whole_numbers(labels, "labels", {any});
   const auto entry = given.unchecked<1>();
-  std::vector<topobag::ClassId> ids(static_cast<std::size_t>(given.size()));
-  for (py::ssize_t i = 0; i < given.size(); ++i) {
-    const std::int64_t number = entry(i);
-    if (number < std::numeric_limits<std::int32_t>::min() ||
-        number > std::numeric_limits<std::int32_t>::max()) {
-      throw topobag::InvalidValue("label " + std::to_string(i) + " is " + std::to_string(number) +
-                                      ", which is no 32-bit number",
-                                  static_cast<std::size_t>(i));
-    }
-    ids[static_cast<std::size_t>(i)] = topobag::ClassId{static_cast<std::int32_t>(number)};
-  }
+  std::vector<topobag::ClassId> ids;
+  ids.reserve(static_cast<std::size_t>(given.size()));
+  for (py::ssize_t i = 0; i < given.size(); ++i) ids.push_back(class_of(entry(i), i));
   return ids;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <topobag/types/semantic_node.hpp>
@@ -26,12 +27,20 @@ py::array_t<double> covariances_of(const std::vector<Node>& nodes);
 py::array_t<double> confidences_of(const std::vector<Node>& nodes);
 py::array_t<double> existences_of(const std::vector<Node>& nodes);
 py::array_t<std::int8_t> appearances_of(const std::vector<Node>& nodes);
+py::array_t<std::int32_t> weighted_labels_of(const std::vector<Node>& nodes);
+py::array_t<double> label_weights_of(const std::vector<Node>& nodes);
 
 /// The appearances of `count` objects from a matrix with a row each, zeros where one is unknown.
 /// @param kind  a name, or an `AppearanceKind`
 /// Throws InvalidValue.
 std::vector<topobag::Appearance> appearances_from(const ArrayLike& rows, const py::object& kind,
                                                   py::ssize_t count);
+
+/// What each of `count` objects may be, from matrices of classes and of what speaks for each, a row
+/// an object; a weight of 0 fills a row up. None where neither is given. Throws InvalidValue.
+std::vector<topobag::LabelWeights> label_weights_from(const std::optional<ArrayLike>& labels,
+                                                      const std::optional<ArrayLike>& weights,
+                                                      py::ssize_t count);
 
 /// Numbers as class ids. Throws InvalidValue.
 std::vector<topobag::ClassId> labels_from(const ArrayLike& labels);
@@ -56,6 +65,10 @@ void add_columns(Class& type, const Nodes& nodes) {
          "Shares of the frames that should have shown the objects and did (n).");
   column("appearances", &appearances_of,
          "Descriptors of what the objects look like (n x their length); zeros = unknown.");
+  column("weighted_labels", &weighted_labels_of,
+         "Classes that the objects may be of, best first (n x k); filled up with -1.");
+  column("label_weights", &label_weights_of,
+         "What speaks for each of these, in shares of the best one's (n x k); filled up with 0.");
 }
 
 }  // namespace python

@@ -38,7 +38,8 @@ std::optional<Vector> vector_at(const Entry& entry, py::ssize_t row) {
 NodeArray nodes_from(const ArrayLike& labels, const Optional& positions, const Optional& pixels,
                      const Optional& z, const Optional& sizes, const Optional& covariances,
                      const Optional& confidences, const Optional& existence,
-                     const Optional& appearances, const py::object& appearance_kind) {
+                     const Optional& appearances, const py::object& appearance_kind,
+                     const Optional& weighted_labels, const Optional& label_weights) {
   std::vector<Node> nodes;
   for (const topobag::ClassId label : labels_from(labels)) nodes.emplace_back().label = label;
   fill<2>(nodes, positions, "positions", {any, 3}, [&](Node& node, const auto& entry, auto i) {
@@ -66,6 +67,9 @@ NodeArray nodes_from(const ArrayLike& labels, const Optional& positions, const O
         appearances_from(*appearances, appearance_kind, static_cast<py::ssize_t>(nodes.size()));
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].appearance = looks[i];
   }
+  const auto weights =
+      label_weights_from(weighted_labels, label_weights, static_cast<py::ssize_t>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].label_weights = weights[i];
   // What a graph would refuse is refused here, before an edge builder sees it.
   return {topobag::TopologyGraph<>(std::move(nodes)).nodes()};
 }
@@ -110,13 +114,16 @@ void bind_nodes(py::module_& module) {
       "Frame: the camera of the key frame, x right, y down, z forward, m. "
       "A row of NaN in `positions` or `pixels` is absent; any other number "
       "that is not finite is refused. `z` is that of the positions where it "
-      "is left out; a row of zeros in `appearances` is unknown. The arrays "
+      "is left out; a row of zeros in `appearances` is unknown. What an object may be "
+      "beside its label stands in `weighted_labels` and `label_weights` (n x k, of any scale, "
+      "filled up with weights of 0): the best five stay, its label among the best. The arrays "
       "may have any strides, and are copied.");
   nodes.def(py::init(&nodes_from), py::arg("labels"), py::arg("positions") = py::none(),
             py::kw_only(), py::arg("pixels") = py::none(), py::arg("z") = py::none(),
             py::arg("sizes") = py::none(), py::arg("covariances") = py::none(),
             py::arg("confidences") = py::none(), py::arg("existence") = py::none(),
-            py::arg("appearances") = py::none(), py::arg("appearance_kind") = "own");
+            py::arg("appearances") = py::none(), py::arg("appearance_kind") = "own",
+            py::arg("weighted_labels") = py::none(), py::arg("label_weights") = py::none());
   add_columns(nodes,
               [](const NodeArray& array) -> const std::vector<Node>& { return array.nodes; });
   nodes.def("__len__", [](const NodeArray& array) { return array.nodes.size(); })

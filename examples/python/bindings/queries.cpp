@@ -17,7 +17,8 @@ void bind_queries(py::module_& module) {
       .field("stamp", &EntryInfo::stamp)
       .field("session", &EntryInfo::session)
       .field("T_world_camera", &EntryInfo::T_world_camera)
-      .field("label", &EntryInfo::label);
+      .field("label", &EntryInfo::label)
+      .field("image", &EntryInfo::image);
   Fields<MapRegion>(module, "MapRegion")
       .field("center", &MapRegion::center)
       .field("radius", &MapRegion::radius);
@@ -44,6 +45,7 @@ void bind_queries(py::module_& module) {
       .field("min_similarity", &QueryOptions::min_similarity)
       .field("exclude", &QueryOptions::exclude)
       .field("among", &QueryOptions::among)
+      .field("image", &QueryOptions::image)
       .field("filter", &QueryOptions::filter);
   Fields<Candidate>(module, "Candidate")
       .field("id", &Candidate::id)

@@ -46,9 +46,11 @@ Recognition detected(const LoopDetector& loops, double stamp, const Graph& graph
 
 Recognition detected_and_added(LoopDetector& loops, KeyframeId id, double stamp, const Graph& graph,
                                const std::optional<Eigen::Isometry3d>& T_world_camera,
-                               std::uint32_t session, std::string label) {
-  return loops.detect_and_add(id, stamp, graph,
-                              {std::nullopt, session, T_world_camera, std::move(label)});
+                               std::uint32_t session, std::string label,
+                               topobag::ImageDescriptor image) {
+  return loops.detect_and_add(
+      id, stamp, graph,
+      {std::nullopt, session, T_world_camera, std::move(label), std::move(image)});
 }
 
 topobag::Explanation explained(const Recognition& recognition, const Map& bag, const Graph& query,
@@ -110,7 +112,9 @@ void bind_relocalizer(py::module_& module) {
            py::arg("options") = py::none(), Unlocked(), doc("LoopDetector.detect"))
       .def("detect_and_add", &detected_and_added, py::arg("id"), py::arg("stamp"), py::arg("graph"),
            py::kw_only(), py::arg("T_world_camera") = py::none(), py::arg("session") = 0,
-           py::arg("label") = "", Unlocked(), doc("LoopDetector.detect_and_add"));
+           py::arg("label") = "",
+           py::arg_v("image", topobag::ImageDescriptor(), "ImageDescriptor()"), Unlocked(),
+           doc("LoopDetector.detect_and_add"));
   module.def("explain", &explained, py::arg("recognition"), py::arg("bag"), py::arg("query"),
              py::arg_v("catalog", topobag::ClassCatalog::coco80(), "ClassCatalog.coco80()"),
              py::arg_v("options", RecognitionOptions(), "RecognitionOptions()"), Unlocked(),

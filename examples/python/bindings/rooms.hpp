@@ -17,6 +17,7 @@ void bind_appearance(pybind11::module_& module);
 void bind_match_options(pybind11::module_& module);
 void bind_local_graph(pybind11::module_& module);
 void bind_matching(pybind11::module_& module);
+void bind_images(pybind11::module_& module);
 void bind_queries(pybind11::module_& module);
 void bind_bags(pybind11::module_& module);
 void bind_calibration(pybind11::module_& module);

@@ -23,12 +23,14 @@ Lifted lift(const ArrayLike& boxes, const ArrayLike& labels, const std::optional
             const ArrayLike& depth, const Camera& camera, const topobag::ClassCatalog& catalog,
             const LiftOptions& options, const std::optional<double>& depth_scale,
             const std::variant<RobustBoxDepth, CenterDepth>& sampling,
-            const std::optional<ArrayLike>& appearances, const py::object& appearance_kind) {
+            const std::optional<ArrayLike>& appearances, const py::object& appearance_kind,
+            const std::optional<ArrayLike>& weighted_labels,
+            const std::optional<ArrayLike>& label_weights) {
   const py::array given = py::array::ensure(depth);
   const bool of_detections = given && given.ndim() == 1;
   const auto detections = detections_from(
       boxes, labels, scores, of_detections ? std::optional<ArrayLike>(depth) : std::nullopt,
-      appearances, appearance_kind);
+      appearances, appearance_kind, weighted_labels, label_weights);
   if (of_detections) return topobag::lift_detections(detections, camera, catalog, options);
   PyErr_Clear();
   return with_depth_view(depth, depth_scale, [&](const auto& view) {
@@ -187,12 +189,14 @@ void bind_sensing(py::module_& module) {
              py::arg("depth_scale") = py::none(),
              py::arg_v("sampling", std::variant<RobustBoxDepth, CenterDepth>(), "RobustBoxDepth()"),
              py::arg("appearances") = py::none(), py::arg("appearance_kind") = "own",
+             py::arg("weighted_labels") = py::none(), py::arg("label_weights") = py::none(),
              "Turns a detector's boxes and their depth into semantic nodes: eq. 1, 2 and 5.\n\n"
              "`boxes` (n x 4) are x1, y1, x2, y2, px; `labels` (n) as the catalog numbers them; "
              "`scores` (n) in [0, 1], or None. `depth` is an image (height x width) of uint16, "
              "float32 or float64, which is read in place unless it is flipped or transposed, with "
              "`depth_scale` units a metre (to be said of uint16, else 1); or the depth of each box "
-             "(n), m, 0 = unknown. Raises UnknownClass with the index of the detection, "
+             "(n), m, 0 = unknown. `weighted_labels` and `label_weights` (n x k) are as in Nodes. "
+             "Raises UnknownClass with the index of the detection, "
              "InvalidValue for a bad array or camera.");
 }
 

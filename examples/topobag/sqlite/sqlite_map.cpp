@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-topobag::SqliteOptions sqlite_options(bool read_only, const topobag::ClassCatalog& catalog) {
+topobag::SqliteOptions sqlite_options(bool read_only, const topobag::DescribedCatalog& classes) {
   topobag::SqliteOptions options;
   options.read_only = read_only;
-  options.catalog = catalog;
+  options.catalog = classes;
   return options;
 }
 
@@ -48,8 +48,12 @@ struct UnfinishedFile {
 
 }  // namespace
 
-SavedMap read_sqlite_map(const std::string& path, const topobag::ClassCatalog& catalog) {
-  const topobag::SqliteBag<> map(path, sqlite_options(true, catalog));
+std::optional<topobag::DescribedCatalog> sqlite_map_classes(const std::string& path) {
+  return topobag::sqlite_catalog(path);
+}
+
+SavedMap read_sqlite_map(const std::string& path, const topobag::DescribedCatalog& classes) {
+  const topobag::SqliteBag<> map(path, sqlite_options(true, classes));
   SavedMap saved{
       "SQLite map, schema " + std::to_string(topobag::sqlite_schema_version), {}, map.bag()};
   for (const topobag::MapSession& session : map.sessions()) {
@@ -59,19 +63,19 @@ SavedMap read_sqlite_map(const std::string& path, const topobag::ClassCatalog& c
 }
 
 void write_sqlite_map(const std::string& path, const SavedMap& map,
-                      const topobag::ClassCatalog& catalog) {
+                      const topobag::DescribedCatalog& classes) {
   const UnfinishedFile unfinished{path + ".part-" + std::to_string(::getpid())};
-  topobag::SqliteBag<>(unfinished.path, sqlite_options(false, catalog)).merge(WithSessions{map});
+  topobag::SqliteBag<>(unfinished.path, sqlite_options(false, classes)).merge(WithSessions{map});
   fs::rename(unfinished.path, path);  // closed, it is one file
 }
 
 void extend_sqlite_map(const std::string& path, const std::string& session,
                        const topobag::BagOfTopologyGraphs<>& entries,
-                       const topobag::ClassCatalog& catalog) {
+                       const topobag::DescribedCatalog& classes) {
   const bool exists = fs::exists(path);
   const UnfinishedFile unfinished{path + ".part-" + std::to_string(::getpid())};
   {
-    topobag::SqliteBag<> map(exists ? path : unfinished.path, sqlite_options(false, catalog));
+    topobag::SqliteBag<> map(exists ? path : unfinished.path, sqlite_options(false, classes));
     map.add_session(session, entries);
   }
   if (!exists) fs::rename(unfinished.path, path);  // closed, it is one file

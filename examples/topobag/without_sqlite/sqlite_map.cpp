@@ -12,14 +12,20 @@ namespace {
 
 }  // namespace
 
-SavedMap read_sqlite_map(const std::string& path, const topobag::ClassCatalog&) { refuse(path); }
-
-void extend_sqlite_map(const std::string& path, const std::string&,
-                       const topobag::BagOfTopologyGraphs<>&, const topobag::ClassCatalog&) {
+std::optional<topobag::DescribedCatalog> sqlite_map_classes(const std::string& path) {
   refuse(path);
 }
 
-void write_sqlite_map(const std::string& path, const SavedMap&, const topobag::ClassCatalog&) {
+SavedMap read_sqlite_map(const std::string& path, const topobag::DescribedCatalog&) {
+  refuse(path);
+}
+
+void extend_sqlite_map(const std::string& path, const std::string&,
+                       const topobag::BagOfTopologyGraphs<>&, const topobag::DescribedCatalog&) {
+  refuse(path);
+}
+
+void write_sqlite_map(const std::string& path, const SavedMap&, const topobag::DescribedCatalog&) {
   refuse(path);
 }
 

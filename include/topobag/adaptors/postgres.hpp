@@ -9,15 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/adaptors/detail/postgres_catalog.hpp>
 #include <topobag/adaptors/detail/postgres_connection.hpp>
 #include <topobag/adaptors/detail/postgres_parameters.hpp>
 #include <topobag/adaptors/detail/postgres_rows.hpp>
 #include <topobag/adaptors/detail/postgres_schema.hpp>
+#include <topobag/adaptors/detail/refuse_append.hpp>
 #include <topobag/adaptors/fleet/fleet_cursor.hpp>
 #include <topobag/adaptors/fleet/fleet_site.hpp>
 #include <topobag/adaptors/fleet/fleet_version.hpp>
 #include <topobag/adaptors/fleet/uuid.hpp>
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/error.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -49,6 +53,21 @@ class PostgresStore {
     connection().run("SELECT topobag.add_site($1, $2)", detail::PostgresParameters()
                                                             .add(detail::postgres_text, name)
                                                             .add(detail::postgres_int8, catalog));
+  }
+
+  /// The same, and keeps what is said of the classes with the site.
+  void add_site(const std::string& name, const DescribedCatalog& classes) {
+    detail::PostgresConnection& server = connection();
+    detail::PostgresTransaction transaction(server);
+    add_site(name, fingerprint(classes.catalog));
+    detail::write_classes(server, name, classes);
+    transaction.commit();
+  }
+
+  /// What a site that may be read says of its classes; nothing where that is no more than their
+  /// fingerprint. Throws FormatError when it is damaged. O(classes).
+  std::optional<DescribedCatalog> site_catalog(const std::string& name) {
+    return detail::read_classes(connection(), name);
   }
 
   /// Lets a role read a site, and add versions of one robot there where one is named; for the
@@ -116,7 +135,7 @@ class PostgresStore {
     try {
       added = server.run(detail::postgres_append, detail::row_parameters(versions)).changed();
     } catch (const detail::PostgresRefusal& refusal) {
-      refuse_append(refusal, versions.front().key);
+      detail::refuse_append(refusal, versions.front().key);
     }
     if (added < versions.size() &&
         server.run(detail::postgres_contradicted, detail::name_parameters(versions)).integer(0, 0) >
@@ -197,25 +216,6 @@ class PostgresStore {
     }
     const bool standby = rows.flag(0, 2);  // cannot notify; it is asked from time to time
     if (listening_ && !standby) connection_->run("LISTEN topobag");
-  }
-
-  [[noreturn]] static void refuse_append(const detail::PostgresRefusal& refusal,
-                                         const FleetKey& key) {
-    const std::string what = refusal.what();
-    const std::string site = "site '" + key.site + "'";
-    if (refusal.constraint() == "catalog_of_site") {
-      throw FormatError(what + ": the classes of " + site +
-                        " mean other names than the map's; make the map with those");
-    }
-    if (refusal.code() == "23514") {
-      throw Error(what + ": there is no " + site +
-                  "; its owner makes it with `topobag fleet init`");
-    }
-    if (refusal.code() == "42501") {
-      throw Error(what + ": this role may not add key frames of robot " + to_text(key.robot) +
-                  " at " + site + "; the owner admits it with `topobag fleet admit`");
-    }
-    throw refusal;
   }
 
   static ReadVersion read_row(const detail::PostgresResult& rows, int row,

@@ -11,6 +11,7 @@
 
 #include <topobag/adaptors/detail/map_rows.hpp>
 #include <topobag/adaptors/detail/sqlite_file.hpp>
+#include <topobag/adaptors/sqlite_catalog.hpp>
 #include <topobag/adaptors/sqlite_options.hpp>
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>

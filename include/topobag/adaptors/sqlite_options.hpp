@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/bag/graph_codec.hpp>
-#include <topobag/types/class_catalog.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -15,7 +15,9 @@ inline namespace v0 {
 struct SqliteOptions {
   bool read_only = false;                 ///< to localize: the file is not touched
   ViewSection views = ViewSection::kept;  ///< whether views are written
-  std::optional<ClassCatalog> catalog;    ///< has to be the one that the map was made with
+  /// Has to be the one that the map was made with: in names, and in what both say of its classes.
+  /// A `ClassCatalog` will do.
+  std::optional<DescribedCatalog> catalog;
 };
 
 /// One run of the robot.

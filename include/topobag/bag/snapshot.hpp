@@ -14,11 +14,15 @@
 #include <topobag/assert.hpp>
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/bag/described_catalog.hpp>
+#include <topobag/bag/detail/storage/catalog_record.hpp>
 #include <topobag/bag/detail/storage/entry_record.hpp>
 #include <topobag/bag/detail/storage/file_bytes.hpp>
+#include <topobag/bag/detail/storage/file_record.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/snapshot_header.hpp>
 #include <topobag/error.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -27,21 +31,11 @@ inline namespace v0 {
 struct SaveOptions {
   std::uint64_t catalog_fingerprint = 0;  ///< of the classes in use; 0 = not stated
   ViewSection views = ViewSection::kept;  ///< whether views are written
+  /// The classes in use, which the file then keeps (format 2); nothing: their fingerprint alone.
+  std::optional<DescribedCatalog> catalog{};
 };
 
 namespace detail {
-
-/// Length, bytes and checksum of both.
-inline void write_record(std::ostream& stream, const std::vector<std::uint8_t>& body) {
-  BitWriter length;
-  length.put(body.size(), 32);
-  std::vector<std::uint8_t> record = length.take();
-  record.insert(record.end(), body.begin(), body.end());
-  BitWriter checksum;
-  checksum.put(crc32(record.data(), record.size()), 32);
-  for (const std::uint8_t byte : checksum.take()) record.push_back(byte);
-  write_bytes(stream, record);
-}
 
 /// `encode`, whose refusal names the key frame: in the middle of a bag an index alone says little.
 template <typename Graph>
@@ -54,23 +48,60 @@ std::vector<std::uint8_t> encoded(KeyframeId id, const Graph& graph, ViewSection
   }
 }
 
-inline std::vector<std::uint8_t> read_record(std::istream& stream) {
-  const std::vector<std::uint8_t> length = read_bytes(stream, 4);
-  std::vector<std::uint8_t> body = read_bytes(stream, BitReader(length.data(), 4).get(32));
-  const std::vector<std::uint8_t> checksum = read_bytes(stream, 4);
-  const std::uint32_t found = crc32(body.data(), body.size(), crc32(length.data(), 4));
-  if (BitReader(checksum.data(), 4).get(32) != found) {
-    throw FormatError("its checksum does not fit: it is damaged; take another copy");
+/// The catalog that follows a header which says so. Throws FormatError.
+inline std::optional<DescribedCatalog> read_catalog(std::istream& stream,
+                                                    const SnapshotHeader& header) {
+  if (!header.catalog) return std::nullopt;
+  try {
+    DescribedCatalog classes = catalog_of(read_record(stream));
+    if (fingerprint(classes.catalog) == header.catalog_fingerprint) return classes;
+  } catch (const Error& error) {
+    throw FormatError(std::string("its classes cannot be read: ") + error.what());
   }
-  return body;
+  throw FormatError("its classes are not those that its header means: it is damaged");
+}
+
+/// Throws FormatError where both are known and differ.
+inline void require_same_names(const SnapshotHeader& header, std::uint64_t catalog_fingerprint) {
+  if (catalog_fingerprint == 0 || header.catalog_fingerprint == 0 ||
+      catalog_fingerprint == header.catalog_fingerprint) {
+    return;
+  }
+  throw FormatError(
+      "its class numbers mean other names than yours; load it with the catalog that it was "
+      "saved with");
+}
+
+/// Adds the entries that follow header and catalog. Throws FormatError.
+template <typename Bag>
+Bag load_entries(std::istream& stream, std::uint64_t count, Bag bag) {
+  static_assert(is_growing_bag_v<Bag>,
+                "topobag: a bag that grows has Graph = TopologyGraph<Scalar> and add(KeyframeId, "
+                "Graph, EntryInfo).");
+  using Scalar = typename Bag::Graph::Scalar;
+  TOPOBAG_ASSERT(bag.empty());
+  std::optional<KeyframeId> last;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    try {
+      EntryRecord entry = entry_of(read_record(stream));
+      if (last && !(*last < entry.id)) throw FormatError("its id is not above the one before");
+      last = entry.id;
+      bag.add(entry.id, decode<Scalar>(entry.graph), std::move(entry.info));
+    } catch (const Error& error) {
+      throw FormatError("entry " + std::to_string(i) + " of " + std::to_string(count) +
+                            " cannot be read: " + error.what(),
+                        static_cast<std::size_t>(i));
+    }
+  }
+  return bag;
 }
 
 }  // namespace detail
 
 /// Writes a bag as it stands, in the order of ids: graphs through `encode`, the rest to the last
-/// bit; the header says the latest version among the graphs, each of which is in the least one that
-/// holds it. The same bag gives the same bytes on every machine. (The format:
-/// `examples/docs/format.md`.)
+/// bit; the catalog where `options` has one; the header says the latest version among the graphs,
+/// each of which is in the least one that holds it. The same bag gives the same bytes on every
+/// machine. (The format: `examples/docs/format.md`.)
 /// @param bag  anything with `size()` and `for_each(f)` that calls f(KeyframeId, const EntryInfo&,
 ///             const Graph&) by rising id
 /// Throws Error when the stream fails, InvalidValue as `encode` does. O(n), in two rounds.
@@ -85,12 +116,18 @@ void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {})
   header.scalar_bytes = sizeof(Scalar);
   header.entries = bag.size();
   header.catalog_fingerprint = options.catalog_fingerprint;
+  if (options.catalog) {
+    header.format_version = 2;
+    header.catalog = true;
+    header.catalog_fingerprint = fingerprint(options.catalog->catalog);
+  }
   bag.for_each([&](KeyframeId, const EntryInfo& info, const typename Bag::Graph& graph) {
     if (info.image.known()) header.format_version = 2;
     header.codec_version =
         std::max<std::uint32_t>(header.codec_version, codec_version_for(graph, options.views));
   });
   detail::write_bytes(stream, to_bytes(header));
+  if (options.catalog) detail::write_record(stream, detail::to_bytes(*options.catalog));
   std::uint64_t written = 0;
   bag.for_each([&](KeyframeId id, const EntryInfo& info, const typename Bag::Graph& graph) {
     detail::write_record(stream,
@@ -110,32 +147,27 @@ void save(const Bag& bag, std::ostream& stream, const SaveOptions& options = {})
 /// Throws FormatError. O(n · add).
 template <typename Bag = BagOfTopologyGraphs<>>
 Bag load(std::istream& stream, std::uint64_t catalog_fingerprint = 0, Bag empty = Bag{}) {
-  static_assert(is_growing_bag_v<Bag>,
-                "topobag: a bag that grows has Graph = TopologyGraph<Scalar> and add(KeyframeId, "
-                "Graph, EntryInfo).");
-  using Scalar = typename Bag::Graph::Scalar;
-  TOPOBAG_ASSERT(empty.empty());
   const SnapshotHeader header = inspect(stream);
-  if (catalog_fingerprint != 0 && header.catalog_fingerprint != 0 &&
-      catalog_fingerprint != header.catalog_fingerprint) {
-    throw FormatError(
-        "its class numbers mean other names than yours; load it with the catalog that it was "
-        "saved with");
-  }
-  std::optional<KeyframeId> last;
-  for (std::uint64_t i = 0; i < header.entries; ++i) {
-    try {
-      detail::EntryRecord entry = detail::entry_of(detail::read_record(stream));
-      if (last && !(*last < entry.id)) throw FormatError("its id is not above the one before");
-      last = entry.id;
-      empty.add(entry.id, decode<Scalar>(entry.graph), std::move(entry.info));
-    } catch (const Error& error) {
-      throw FormatError("entry " + std::to_string(i) + " of " + std::to_string(header.entries) +
-                            " cannot be read: " + error.what(),
-                        static_cast<std::size_t>(i));
-    }
-  }
-  return empty;
+  detail::require_same_names(header, catalog_fingerprint);
+  detail::read_catalog(stream, header);
+  return detail::load_entries(stream, header.entries, std::move(empty));
+}
+
+/// The same with all that is said of the classes in use: where the file keeps its catalog, the two
+/// may have no `difference`.
+template <typename Bag = BagOfTopologyGraphs<>>
+Bag load(std::istream& stream, const DescribedCatalog& classes, Bag empty = Bag{}) {
+  const SnapshotHeader header = inspect(stream);
+  detail::require_same_names(header, fingerprint(classes.catalog));
+  const std::optional<DescribedCatalog> kept = detail::read_catalog(stream, header);
+  if (kept) detail::require_same_classes(*kept, classes);
+  return detail::load_entries(stream, header.entries, std::move(empty));
+}
+
+/// The classes that a saved bag keeps, if it does. Throws FormatError. O(classes).
+inline std::optional<DescribedCatalog> saved_catalog(std::istream& stream) {
+  const SnapshotHeader header = inspect(stream);
+  return detail::read_catalog(stream, header);
 }
 
 }  // namespace v0

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <fstream>
 #include <istream>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include <topobag/bag/atomic_file.hpp>
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/bag/snapshot.hpp>
 #include <topobag/bag/snapshot_header.hpp>
 #include <topobag/error.hpp>
@@ -32,6 +34,18 @@ auto read_file(const std::string& path, const Read& read) {
   } catch (const FormatError& error) {
     throw FormatError(path + ": " + error.what(), error.index());
   }
+}
+
+/// A file that is one bag.
+template <typename Bag, typename Classes>
+Bag load_file(const std::string& path, const Classes& classes, Bag empty) {
+  return read_file(path, [&](std::istream& stream) {
+    Bag bag = load<Bag>(stream, classes, std::move(empty));
+    if (stream.peek() != std::istream::traits_type::eof()) {
+      throw FormatError("it goes on after its last entry: it is damaged; take another copy");
+    }
+    return bag;
+  });
 }
 
 }  // namespace detail
@@ -58,16 +72,21 @@ void save(const Bag& bag, const std::string& path, const SaveOptions& options = 
 ///
 ///     bag = load<BagOfTopologyGraphs<>>("room.bag");  // or throws and leaves `bag` as it was
 ///
+/// @param catalog_fingerprint  or all that is said of the classes, as a `DescribedCatalog`
 /// Throws FormatError, or Error when the file cannot be opened; both begin with its name.
 template <typename Bag = BagOfTopologyGraphs<>>
 Bag load(const std::string& path, std::uint64_t catalog_fingerprint = 0, Bag empty = Bag{}) {
-  return detail::read_file(path, [&](std::istream& stream) {
-    Bag bag = load<Bag>(stream, catalog_fingerprint, std::move(empty));
-    if (stream.peek() != std::istream::traits_type::eof()) {
-      throw FormatError("it goes on after its last entry: it is damaged; take another copy");
-    }
-    return bag;
-  });
+  return detail::load_file(path, catalog_fingerprint, std::move(empty));
+}
+/// The same.
+template <typename Bag = BagOfTopologyGraphs<>>
+Bag load(const std::string& path, const DescribedCatalog& classes, Bag empty = Bag{}) {
+  return detail::load_file(path, classes, std::move(empty));
+}
+
+/// The classes that a saved bag keeps, if it does. Throws as `load`.
+inline std::optional<DescribedCatalog> saved_catalog(const std::string& path) {
+  return detail::read_file(path, [](std::istream& stream) { return saved_catalog(stream); });
 }
 
 /// The header of a saved bag.

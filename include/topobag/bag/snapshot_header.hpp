@@ -36,6 +36,7 @@ struct SnapshotHeader {
   std::uint8_t scalar_bytes = sizeof(double);  ///< of the graphs that were saved; any can be loaded
   std::uint64_t entries = 0;                   ///< how many follow
   std::uint64_t catalog_fingerprint = 0;       ///< see `fingerprint`; 0 = not stated
+  bool catalog = false;                        ///< whether the catalog follows, in format 2
 };
 
 namespace detail {
@@ -57,7 +58,7 @@ inline std::vector<std::uint8_t> to_bytes(const SnapshotHeader& header) {
   for (const std::uint8_t size : {header.id_bytes, header.class_bytes, header.scalar_bytes}) {
     writer.put(size, 8);
   }
-  writer.put(0, 8);
+  writer.put(header.catalog ? 1 : 0, 8);
   writer.put(header.entries, 64);
   writer.put(header.catalog_fingerprint, 64);
   std::vector<std::uint8_t> bytes = writer.take();
@@ -87,14 +88,16 @@ inline SnapshotHeader inspect(std::istream& stream) {
   header.id_bytes = static_cast<std::uint8_t>(number(8));
   header.class_bytes = static_cast<std::uint8_t>(number(8));
   header.scalar_bytes = static_cast<std::uint8_t>(number(8));
-  const std::uint64_t reserved = number(8);
+  const std::uint64_t parts = number(8);
+  header.catalog = parts == 1;
   header.entries = number(64);
   header.catalog_fingerprint = number(64);
   if (number(32) != detail::crc32(bytes.data(), detail::snapshot_header_bytes)) {
     throw FormatError("its header is damaged; take another copy");
   }
   if (header.format_version > SnapshotHeader::latest_version ||
-      header.codec_version > graph_codec_version || reserved != 0) {
+      header.codec_version > graph_codec_version || parts > 1 ||
+      (header.catalog && header.format_version < 2)) {
     throw FormatError("it was saved by a later version of topobag (format " +
                       std::to_string(header.format_version) + "): update topobag");
   }

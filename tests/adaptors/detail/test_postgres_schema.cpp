@@ -65,6 +65,11 @@ TEST_CASE("a server of schema 1 is opened, followed and pushed to", "[postgres]"
   if (!PostgresServer::is_installed()) return;
   const std::string base = server_of_schema_1();
   PostgresStore store(base);
+  CHECK(error_text([&] {
+          store.sites();
+        }).find("its fleet's map is of an earlier version of topobag; its owner prepares it") !=
+        std::string::npos);
+  store.prepare();
   CHECK(store.site_names() == std::vector<std::string>{"hall", quoted_site});
   CHECK(store.sites().at(1).catalog == 77);
   FleetBag fleet({{base, {"hall", quoted_site}}});
@@ -95,6 +100,21 @@ TEST_CASE("a server of schema 1 is opened, followed and pushed to", "[postgres]"
   CHECK(fleet.size() == 4);
   store.add_site("attic", 0);
 
+  // An image may come with what is pushed from now on, and is not asked for of what was.
+  FleetVersion with_image = old_version("hall", 1, 1, 3);
+  with_image.image = {ImageKind("thumbnail", 3), Eigen::Vector3d(1, 2, 3)};
+  CHECK(store.append({with_image}) == 0);
+  with_image.seq = 20;
+  CHECK(store.append({with_image}) == 1);
+  CHECK(fleet.follow() == 1);
+  bool seen = false;
+  fleet.view()->for_each([&](const FleetKey& key, const EntryInfo& info, const auto&) {
+    const bool is_it = key == with_image.key;
+    CHECK(info.image == (is_it ? with_image.image : ImageDescriptor()));
+    seen = seen || is_it;
+  });
+  CHECK(seen);
+
   // Roles have the rights that they had there.
   shared_postgres().sql("CREATE ROLE old_robot LOGIN");
   std::string of_role = base;
@@ -108,7 +128,8 @@ TEST_CASE("a step takes a server to the next schema whole or not at all", "[post
   if (!PostgresServer::is_installed()) return;
   const std::string base = server_of_schema_1();
   const auto steps_with = [](const char* step) {
-    return std::array<const char*, 2>{detail::postgres_migrations[0], step};
+    return std::array<const char*, 3>{detail::postgres_migrations[0],
+                                      detail::postgres_migrations[1], step};
   };
   const auto made_up = steps_with(
       "ALTER TABLE topobag.site ADD COLUMN owner text;"
@@ -122,22 +143,22 @@ TEST_CASE("a step takes a server to the next schema whole or not at all", "[post
   CHECK_THROWS_AS(detail::migrate_schema(connection, failing), Error);
   CHECK(schema() == "1");
   CHECK_THROWS_AS(sql_of(base, "SELECT tenant FROM topobag.site"), std::runtime_error);
-  CHECK_THROWS_AS(detail::require_schema(connection, 2), FormatError);
+  CHECK_THROWS_AS(detail::require_schema(connection, 3), FormatError);
 
   detail::migrate_schema(connection, made_up);
   detail::migrate_schema(connection, made_up);  // again changes nothing
-  CHECK(schema() == "2");
-  detail::require_schema(connection, 2);
+  CHECK(schema() == "3");
+  detail::require_schema(connection, 3);
   CHECK(sql_of(base, "SELECT owner FROM topobag.site WHERE site = 'hall'") == "of hall");
   CHECK(sql_of(base, "SELECT count(*) FROM topobag.version") == "6");
 
-  // To those who know one step less, that is a later version; an empty data base takes both.
+  // To those who know one step less, that is a later version; an empty data base takes all.
   PostgresStore today(base);
-  CHECK(error_text([&] { today.sites(); }).find("later version of topobag (schema 2)") !=
+  CHECK(error_text([&] { today.sites(); }).find("later version of topobag (schema 3)") !=
         std::string::npos);
   CHECK_THROWS_AS(today.prepare(), FormatError);
-  CHECK(schema() == "2");
+  CHECK(schema() == "3");
   PostgresConnection empty(shared_postgres().new_base(), schema_patience);
   detail::migrate_schema(empty, made_up);
-  CHECK(detail::postgres_version(empty) == 2);
+  CHECK(detail::postgres_version(empty) == 3);
 }

@@ -13,17 +13,16 @@ namespace topobag {
 inline namespace v0 {
 
 /// The version of the tables that `PostgresStore` writes; it takes earlier ones along.
-inline constexpr std::int64_t postgres_schema_version = 1;
+inline constexpr std::int64_t postgres_schema_version = 2;
 
 namespace detail {
 
-/// What takes a data base from one version of the schema to the next; the first one from nothing.
-/// Written once, never changed: a new schema is a new step.
+/// The first step, from nothing.
 ///
 /// `arrival` is the server's own transaction, not replicated and not the robot's to say: by it
 /// followers read what is new. A label and a run's name are bytes, since a text of PostgreSQL
 /// cannot hold them all.
-inline constexpr std::array<const char*, postgres_schema_version> postgres_migrations = {R"sql(
+inline constexpr const char* postgres_first_step = R"sql(
 CREATE SCHEMA topobag;
 CREATE TABLE topobag.meta(schema_version bigint NOT NULL);
 INSERT INTO topobag.meta VALUES (0);
@@ -94,7 +93,37 @@ GRANT USAGE ON SCHEMA topobag TO PUBLIC;
 GRANT SELECT ON topobag.meta, topobag.site, topobag.access, topobag.version TO PUBLIC;
 GRANT INSERT (site, robot, session, seq, keyframe, run, stamp, label, tx, ty, tz, qx, qy, qz, qw,
               graph, catalog, appearance, checksum, tombstone) ON topobag.version TO PUBLIC;
-)sql"};
+)sql";
+
+/// Images of key frames: NULL where there is none, and what is said of a site's classes. Each image
+/// has a checksum of its own, so that what was pushed without its image is not taken for another
+/// content. The rights and policies of a version are its image's; of classes, who reads a site
+/// reads them.
+inline constexpr const char* postgres_second_step = R"sql(
+ALTER TABLE topobag.version
+  ADD COLUMN image_kind bigint,
+  ADD COLUMN image bytea,
+  ADD COLUMN image_checksum bigint;
+GRANT INSERT (image_kind, image, image_checksum) ON topobag.version TO PUBLIC;
+CREATE TABLE topobag.class(
+  site text NOT NULL REFERENCES topobag.site,
+  id bigint NOT NULL,
+  name bytea NOT NULL,
+  dynamics bigint NOT NULL,
+  lookalike bigint,
+  width double precision,
+  height double precision,
+  PRIMARY KEY (site, id));
+ALTER TABLE topobag.class ENABLE ROW LEVEL SECURITY;
+CREATE POLICY admitted ON topobag.class FOR SELECT
+  USING (site IN (SELECT site FROM topobag.access));
+GRANT SELECT ON topobag.class TO PUBLIC;
+)sql";
+
+/// What takes a data base from one version of the schema to the next. Written once, never changed:
+/// a new schema is a new step.
+inline constexpr std::array<const char*, postgres_schema_version> postgres_migrations = {
+    postgres_first_step, postgres_second_step};
 
 /// The schema's version; 0 where there is none.
 inline std::int64_t postgres_version(PostgresConnection& connection) {

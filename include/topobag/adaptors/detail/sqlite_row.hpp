@@ -15,12 +15,12 @@
 #include <Eigen/Geometry>
 
 #include <topobag/adaptors/detail/sqlite_statement.hpp>
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/bag/detail/storage/crc32.hpp>
 #include <topobag/bag/detail/storage/entry_record.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/error.hpp>
 #include <topobag/graph/topology_graph.hpp>
-#include <topobag/types/class_catalog.hpp>
 #include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
@@ -61,11 +61,12 @@ inline Eigen::Isometry3d pose_of(const std::vector<std::optional<double>>& colum
 /// "1 keyboard, 2 tv": for people.
 template <typename Scalar>
 std::string objects_in(const TopologyGraph<Scalar>& graph,
-                       const std::optional<ClassCatalog>& catalog) {
+                       const std::optional<DescribedCatalog>& classes) {
   std::map<std::string, std::size_t> counts;
   for (const auto& node : graph.nodes()) {
-    const bool known = catalog && catalog->contains(node.label);
-    ++counts[known ? catalog->name(node.label) : "class " + std::to_string(value(node.label))];
+    const bool known = classes && classes->catalog.contains(node.label);
+    ++counts[known ? classes->catalog.name(node.label)
+                   : "class " + std::to_string(value(node.label))];
   }
   std::string text;
   for (const auto& [name, count] : counts) {
@@ -92,9 +93,9 @@ inline constexpr const char* sqlite_select_one =
 /// Runs `sqlite_insert` or `sqlite_update` for an entry whose decoded graph is `graph`.
 template <typename Scalar>
 void write_row(SqliteStatement& statement, const EntryRecord& entry,
-               const TopologyGraph<Scalar>& graph, const std::optional<ClassCatalog>& catalog) {
+               const TopologyGraph<Scalar>& graph, const std::optional<DescribedCatalog>& classes) {
   const auto pose = pose_columns(entry.info.T_world_camera);
-  const std::string objects = objects_in(graph, catalog);
+  const std::string objects = objects_in(graph, classes);
   statement.bind(std::int64_t{entry.info.session}, entry.info.stamp, entry.info.label, pose[0],
                  pose[1], pose[2], pose[3], pose[4], pose[5], pose[6],
                  static_cast<std::int64_t>(graph.size()),

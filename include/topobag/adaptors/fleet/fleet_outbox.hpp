@@ -11,6 +11,7 @@
 
 #include <topobag/adaptors/detail/outbox_schema.hpp>
 #include <topobag/adaptors/detail/sqlite_connection.hpp>
+#include <topobag/adaptors/detail/sqlite_images.hpp>
 #include <topobag/adaptors/detail/sqlite_row.hpp>
 #include <topobag/adaptors/detail/sqlite_schema.hpp>
 #include <topobag/adaptors/detail/sqlite_statement.hpp>
@@ -128,12 +129,14 @@ class FleetOutbox {
     std::vector<FleetVersion> versions;
     detail::SqliteStatement rows(map_, detail::outbox_select);
     rows.bind(seq, static_cast<std::int64_t>(max_versions));
-    while (rows.step()) versions.push_back(version_of(rows));
+    const detail::SqliteImages images(map_);
+    while (rows.step()) versions.push_back(version_of(rows, images));
     return versions;
   }
 
  private:
-  FleetVersion version_of(const detail::SqliteStatement& row) const {
+  FleetVersion version_of(const detail::SqliteStatement& row,
+                          const detail::SqliteImages& images) const {
     FleetVersion version;
     version.key = {member_.site, member_.robot, detail::uuid_of(row.blob(15)),
                    KeyframeId{static_cast<std::uint64_t>(row.integer(14))}};
@@ -150,6 +153,7 @@ class FleetOutbox {
       for (int i = 0; i < 7; ++i) (*version.pose)[std::size_t(i)] = row.number(4 + i).value();
     }
     version.graph = entry.graph;
+    version.image = images.of(version.key.keyframe);
     version.appearance = decode(entry.graph).appearance_kind();
     return version;
   }

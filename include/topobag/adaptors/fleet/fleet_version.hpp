@@ -15,6 +15,7 @@
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/types/appearance.hpp>
 #include <topobag/types/ids.hpp>
+#include <topobag/types/image_descriptor.hpp>
 #include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
@@ -55,12 +56,14 @@ struct FleetVersion {
   std::uint64_t catalog = 0;                  ///< fingerprint of the classes; 0 = not known
   AppearanceKind appearance;                  ///< of the graph's descriptors
   bool tombstone = false;                     ///< the key frame is erased
+  ImageDescriptor image{};                    ///< as `EntryInfo::image`
 
   /// The entry's info, session 0. Throws InvalidValue as `pose_from_numbers`.
   EntryInfo info() const {
     EntryInfo info;
     info.stamp = stamp;
     info.label = label;
+    info.image = image;
     if (pose) info.T_world_camera = pose_from_numbers(*pose);
     return info;
   }
@@ -75,6 +78,7 @@ FleetVersion version_of(FleetKey key, const EntryInfo& info, const TopologyGraph
   version.key = std::move(key);
   version.stamp = info.stamp;
   version.label = info.label;
+  version.image = info.image;
   if (info.T_world_camera) {
     const Eigen::Vector3d t = info.T_world_camera->translation();
     const Eigen::Quaterniond q(info.T_world_camera->linear());
