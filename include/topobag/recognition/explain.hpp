@@ -55,8 +55,9 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
                                       const RecognitionOptions& options,
                                       std::optional<double> best_margin) {
   const double agreeing = report.pose ? static_cast<double>(report.pose->inliers.size()) : 0.0;
+  const double needed = options.matching.scale ? 4.0 : 3.0;
   std::vector<ExplainedStage> stages{
-      {"objects that agree", report.pose.has_value(), agreeing, 3.0, true, {}}};
+      {"objects that agree", report.pose.has_value(), agreeing, needed, true, {}}};
   if (!report.pose) return stages;
   const auto& pose = *report.pose;
   const MatchOptions& matching = options.matching;
