@@ -52,21 +52,31 @@ inline void report_places(const SemanticSlam& semantic, const std::set<double>& 
                           const topobag::Trajectory& true_poses,
                           const topobag::Alignment& alignment) {
   std::size_t verified = 0, by_place = 0, guesses = 0;
+  std::size_t directions = 0, directions_verified = 0, directions_wrong = 0;
   std::set<double> found = relocalized;
   std::vector<topobag::PoseError> errors;
   for (const OfferedPlaces& offered : semantic.offered_places()) {
     const auto truth = true_pose(true_poses, offered.stamp);
     by_place += offered.accepted >= 0 ? 1 : 0;
     guesses += offered.verified == 0 && offered.guesses > 0 ? 1 : 0;
+    directions += offered.by_bearings ? 1 : 0;
     if (!truth || !offered.T_world_camera) continue;
     ++verified;
     found.insert(offered.stamp);
     errors.push_back(topobag::pose_error(*truth, alignment * *offered.T_world_camera));
+    if (!offered.by_bearings) continue;
+    ++directions_verified;
+    directions_wrong += topobag::judge(errors.back()) != topobag::PoseVerdict::correct ? 1 : 0;
   }
   std::cout << "by objects alone: " << verified << " verified, " << wrong_of(errors)
             << " of them not within 0.3 m and 15 degrees; by objects or the host: " << found.size()
             << "; frames with guesses alone: " << guesses << "; the host took the objects' pose in "
             << by_place << '\n';
+  if (directions > 0) {
+    std::cout << "without depth, by directions: " << directions << " frames asked, "
+              << directions_verified << " verified, " << directions_wrong
+              << " of them not within 0.3 m and 15 degrees\n";
+  }
   print_errors("error of the objects' poses", errors);
 }
 

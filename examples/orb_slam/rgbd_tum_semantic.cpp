@@ -39,6 +39,7 @@ struct Arguments {
   std::string kidnap_sequence, kidnap_associations, kidnap_table;
   std::size_t kidnap_every = 12;
   double kidnap_window = 0.0;
+  bool kidnap_without_depth = false;
   double window = 3.0;
   std::size_t max_places = 5;
   std::size_t candidates = 0;
@@ -149,7 +150,8 @@ class Run {
     std::set<double> relocalized;
     std::vector<double> ms;
     for (std::size_t i = 0; i < frames.size(); i += arguments_.kidnap_every) {
-      const Images images = read_images(frames[i]);
+      Images images = read_images(frames[i]);
+      if (arguments_.kidnap_without_depth) images.depth.setTo(0.0);
       const auto truth = true_pose(kidnap_truth_, images.stamp);
       if (!truth) continue;
       for (const double before : {0.02, 0.01}) {
@@ -249,6 +251,8 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--kidnap-window", arguments.kidnap_window,
                  "Seconds of shown frames in one graph, joined by the true relative poses");
+  app.add_flag("--kidnap-without-depth", arguments.kidnap_without_depth,
+               "The shown frames come without depth: with --depth points, by directions alone");
   CLI11_PARSE(app, argc, argv);
   if (!arguments.stock && arguments.table.empty() && arguments.model.empty()) {
     std::cerr << "give --detections or --model, or --stock\n";

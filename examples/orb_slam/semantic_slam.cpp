@@ -22,7 +22,7 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
       catalog_(std::move(catalog)),
       detect_(std::move(detect)),
       odometry_(std::move(odometry)),
-      database_(settings.database, [this](const Frame& frame) { return graph_of_lost(frame); }),
+      database_(settings.database, [this](const Frame& frame) { return sight_of_lost(frame); }),
       thread_([this](const Job& job) { work(job); }, settings.thread,
               [this](const Job& job, const std::string&) {
                 if (job.id) database_.give_up(job.epoch, *job.id);  // loop closing does not wait
@@ -108,11 +108,16 @@ void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>
   }
   const Stopwatch watch;
   graph_ms_ = 0.0;
+  by_bearings_ = false;
   places_ = database_.relocalization_places(*frame, static_cast<const host::Map*>(map));
   candidates = topobag::merge_candidates(places_, candidates);
-  if (graph_ms_ > 0.0) note("tracking, lost: query", watch.milliseconds() - graph_ms_);
+  if (graph_ms_ > 0.0) {
+    note(by_bearings_ ? "tracking, lost: query by directions" : "tracking, lost: query",
+         watch.milliseconds() - graph_ms_);
+  }
   OfferedPlaces offered;
   offered.stamp = frame->mTimeStamp;
+  offered.by_bearings = by_bearings_;
   for (const auto& place : places_) ++(place.verified ? offered.verified : offered.guesses);
   if (offered.verified > 0) offered.T_world_camera = places_.front().T_world_query;
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -170,14 +175,15 @@ std::map<std::string, std::vector<double>> SemanticSlam::times() const {
   return times_;
 }
 
-/// The last frames in one graph where odometry joins them, else this frame alone; nothing for a
-/// frame without features.
-std::optional<topobag::TopologyGraph<>> SemanticSlam::graph_of_lost(const Frame& frame) {
+/// The last frames in one graph where odometry joins them, else this frame alone, and this frame's
+/// directions; nothing for a frame without features.
+topobag::LostSight SemanticSlam::sight_of_lost(const Frame& frame) {
   if (frame.mTimeStamp != current_.stamp || frame.N == 0) return std::nullopt;
   const Stopwatch all;
-  auto sighting =
-      std::make_shared<const topobag::KeyframeSighting>(sight(current_, "tracking, lost: detect"));
+  const auto detections = detect(current_, "tracking, lost: detect");
   const Stopwatch watch;
+  auto sighting = std::make_shared<const topobag::KeyframeSighting>(
+      topobag::sight_keyframe(current_.stamp, detections, settings_.camera, catalog_));
   const auto pose = odometry_ ? odometry_(frame.mTimeStamp) : std::nullopt;
   if (!pose || settings_.lost_window == 0.0) lost_.clear();
   const double begin = frame.mTimeStamp - settings_.lost_window;
@@ -185,10 +191,12 @@ std::optional<topobag::TopologyGraph<>> SemanticSlam::graph_of_lost(const Frame&
   lost_.push_back({std::move(sighting), pose.value_or(Eigen::Isometry3d::Identity())});
   topobag::LocalGraphOptions fusing = settings_.database.fusing;
   fusing.window = settings_.lost_window;
-  auto graph = topobag::fuse_sightings({lost_.begin(), lost_.end()}, fusing);
+  topobag::LostSight seen(topobag::fuse_sightings({lost_.begin(), lost_.end()}, fusing),
+                          topobag::sight_bearings(detections, settings_.camera, catalog_));
+  by_bearings_ = seen.is_without_depth();
   note("tracking, lost: fuse", watch.milliseconds());
   graph_ms_ = all.milliseconds();
-  return graph;
+  return seen;
 }
 
 std::vector<topobag::RangedDetection> SemanticSlam::detect(const Images& images) {
@@ -196,11 +204,13 @@ std::vector<topobag::RangedDetection> SemanticSlam::detect(const Images& images)
   return detect_(images);
 }
 
-topobag::KeyframeSighting SemanticSlam::sight(const Images& images, const char* stage) {
+/// The same, with its time noted.
+std::vector<topobag::RangedDetection> SemanticSlam::detect(const Images& images,
+                                                           const char* stage) {
   const Stopwatch watch;
   std::vector<topobag::RangedDetection> detections = detect(images);
   note(stage, watch.milliseconds());
-  return topobag::sight_keyframe(images.stamp, std::move(detections), settings_.camera, catalog_);
+  return detections;
 }
 
 void SemanticSlam::drop_dynamic_features(Frame& frame) {
@@ -227,9 +237,11 @@ void SemanticSlam::refresh() {
 void SemanticSlam::work(const Job& job) {
   refresh();
   if (!job.id) return;
-  topobag::KeyframeSighting sighting = sight(job.images, "topology thread: detect");
+  auto detections = detect(job.images, "topology thread: detect");
   const Stopwatch watch;
-  database_.observe(job.epoch, *job.id, std::move(sighting));
+  database_.observe(
+      job.epoch, *job.id,
+      topobag::sight_keyframe(job.images.stamp, std::move(detections), settings_.camera, catalog_));
   note("topology thread: fuse and add", watch.milliseconds());
 }
 

@@ -67,7 +67,8 @@ struct OfferedPlaces {
   double stamp = 0.0;  ///< s
   std::size_t verified = 0;
   std::size_t guesses = 0;
-  int accepted = -1;  ///< which of them stood the host's test; -1 = none, or it needed none
+  bool by_bearings = false;  ///< by directions, for too few objects had a depth
+  int accepted = -1;         ///< which of them stood the host's test; -1 = none, or it needed none
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< by the best one, when it is verified
 };
 
@@ -126,9 +127,9 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
     Images images;
   };
 
-  std::optional<topobag::TopologyGraph<>> graph_of_lost(const Frame& frame);
+  topobag::LostSight sight_of_lost(const Frame& frame);
   std::vector<topobag::RangedDetection> detect(const Images& images);
-  topobag::KeyframeSighting sight(const Images& images, const char* stage);
+  std::vector<topobag::RangedDetection> detect(const Images& images, const char* stage);
   void drop_dynamic_features(Frame& frame);
   void refresh();
   static Places plain(const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places);
@@ -146,7 +147,8 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   Images current_;
   std::deque<topobag::PosedSighting> lost_;
   std::vector<topobag::OrbSlamPlace<KeyFrame>> places_;
-  double graph_ms_ = 0.0;  ///< what the last lost frame's graph took; 0 = it has none
+  double graph_ms_ = 0.0;     ///< what the last lost frame's graph took; 0 = it has none
+  bool by_bearings_ = false;  ///< whether the last lost frame has its directions alone
   MaskedFeatures masked_;
 
   double last_check_ = 0.0;  ///< s; stamp of the lost frame at which the graphs were looked after

@@ -50,6 +50,10 @@ Json candidate_json(const topobag::CandidateExplanation& candidate,
                    {"matched", Json::array()},
                    {"missing", Json::array()},
                    {"changes", Json::array()}});
+  if (candidate.scale) {
+    json["scale"] = candidate.scale->value;
+    json["scale_deviation"] = candidate.scale->deviation;
+  }
   if (candidate.rival) {
     json.update(keyframe_json(map[topobag::value(candidate.rival->id)], "rival_map_"));
   }

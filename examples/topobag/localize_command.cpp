@@ -22,6 +22,7 @@ struct LocalizeArguments {
   MapAndQuery tables;
   std::string svg;
   std::optional<double> leave_out_radius;  ///< m
+  bool unknown_scale = false;              ///< of the queries
   RecognitionArguments recognition;
   RecognitionReportArguments report;
   CalibrationArguments calibration;
@@ -33,6 +34,7 @@ void localize(const LocalizeArguments& arguments) {
   topobag::parse_protocol(arguments.report.protocol);
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
   run.queries = thinned(run.queries, common.query_interval);
+  if (arguments.unknown_scale) run.scale = topobag::ScaleRange{};
   run.kept = kept_for(arguments.report);
   look_up_in_map(run, calibration_request(arguments.calibration, common, run.classes),
                  arguments.leave_out_radius);
@@ -64,6 +66,9 @@ void add_localize_command(CLI::App& app) {
                   "Look a key frame up without the map's that are nearer to it, m: its own place "
                   "is then not in the map")
       ->check(number_within(0.0));
+  command.add_flag("--unknown-scale", arguments->unknown_scale,
+                   "The query's lengths are in an unknown unit, of a quarter to four of the map's "
+                   "metres, as of a monocular front end");
   add_output_option(command, "--svg", arguments->svg, "File to draw the best accepted match in");
   add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);

@@ -35,6 +35,7 @@ topobag::RecognitionOptions options_of(const RecognitionRun& run) {
     return keyframe.graph.views().empty();
   });
   if (objects) options.matching.viewpoint.share = 0.0;
+  options.matching.scale = run.scale;
   return options;
 }
 

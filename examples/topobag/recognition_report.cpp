@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include <topobag/recognition/explanation.hpp>
 #include <topobag/types/class_catalog.hpp>
 
 #include "calibration_report.hpp"
@@ -41,6 +42,10 @@ Json match_json(const RecognitionRun& run, std::size_t i, const topobag::ClassCa
   json["score"] = match.score();
   json["matched"] = objects;
   json["pose_candidate_query"] = pose_numbers(match.pose->T_candidate_query);
+  if (match.pose->scale_deviation > 0.0) {
+    json["scale"] = match.pose->scale;
+    json["scale_deviation"] = match.pose->scale_deviation;
+  }
   if (record.error) {
     json["translation_error_m"] = record.error->translation_m;
     json["rotation_error_deg"] = record.error->rotation_deg;
@@ -204,6 +209,10 @@ std::string to_lines(const RecognitionRun& run) {
       out << std::setprecision(2) << ", map " << name_of(candidate) << ", score " << best.score()
           << " of " << best.threshold << ", " << count_text(best.matched, catalog)
           << missing_text(best, candidate.graph, query.graph, catalog);
+      if (best.pose->scale_deviation > 0.0) {
+        out << "; "
+            << to_string(topobag::ExplainedScale{best.pose->scale, best.pose->scale_deviation});
+      }
       if (best.rival) {
         out << "; as well: map " << name_of(run.map[topobag::value(best.rival->id)]);
       }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <topobag/evaluation/pose_error.hpp>
+#include <topobag/matching/scale_range.hpp>
 #include <topobag/recognition/calibration.hpp>
 #include <topobag/recognition/recognition.hpp>
 
@@ -66,10 +67,11 @@ struct RecognitionRun {
   std::vector<Keyframe> map;
   std::vector<Keyframe> queries;
   KeptCandidates kept = KeptCandidates::best;
-  std::vector<QueryRecord> records;           ///< parallel to `queries`
-  std::size_t in_map = 0;                     ///< queries that are key frames of the map itself
-  std::optional<CalibratedRun> calibrated{};  ///< where the decision was
-  ObjectClasses classes{};                    ///< of the map's and the queries' objects
+  std::vector<QueryRecord> records;            ///< parallel to `queries`
+  std::size_t in_map = 0;                      ///< queries that are key frames of the map itself
+  std::optional<CalibratedRun> calibrated{};   ///< where the decision was
+  ObjectClasses classes{};                     ///< of the map's and the queries' objects
+  std::optional<topobag::ScaleRange> scale{};  ///< of the queries' unit, where it is not known
 
   /// From the queries' world to the map's, where they are two (`align_worlds`); how many of the
   /// accepted matches were correct by it says how far to believe it.

@@ -46,6 +46,7 @@
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/graph/local_graph_options.hpp>
 #include <topobag/graph/object_track.hpp>
+#include <topobag/graph/scaled_graph.hpp>
 #include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/graph/topology_weight.hpp>
@@ -80,6 +81,7 @@
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/matching/rigid_fit.hpp>
+#include <topobag/matching/scale_range.hpp>
 #include <topobag/matching/shared_vertical.hpp>
 #include <topobag/matching/size_prior.hpp>
 #include <topobag/matching/size_prior_text.hpp>

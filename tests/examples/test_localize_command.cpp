@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
@@ -86,6 +87,19 @@ TEST_CASE("localize works on single frames", "[examples]") {
   check_counts(report);
   CHECK(report.at("wrong") == 0);
   CHECK(report.at("accepted") > 0);
+}
+
+TEST_CASE("localize finds the scale where it is not known", "[examples]") {
+  const Json known = localize(""), report = localize("--unknown-scale");
+  check_counts(report);
+  CHECK(report.at("wrong") == 0);
+  const auto accepted = report.at("accepted").get<double>();
+  CHECK(accepted >= 0.8 * known.at("accepted").get<double>());
+  for (const Json& match : report.at("matches")) {
+    const auto scale = match.at("scale").get<double>();
+    CHECK(std::abs(scale - 1.0) < 4.0 * match.at("scale_deviation").get<double>());
+  }
+  for (const Json& match : known.at("matches")) CHECK_FALSE(match.contains("scale"));
 }
 
 TEST_CASE("between different places all that is accepted is wrong", "[examples]") {

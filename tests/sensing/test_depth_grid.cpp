@@ -83,6 +83,37 @@ TEST_CASE("a depth grid is its levels", "[sensing]") {
   CHECK(again.levels() == grid.levels());
 }
 
+TEST_CASE("a depth grid in another unit shows the same depths, never more", "[sensing]") {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> octaves(-3.0, 3.0);
+  DepthGrid::Levels levels{};
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i] = static_cast<DepthGrid::Level>(i % 64);
+  const DepthGrid grid(levels, 640, 480);
+  CHECK(grid.scaled(1.0).levels() == levels);
+  for (int round = 0; round < 50; ++round) {
+    const double factor = std::exp2(octaves(random));
+    const DepthGrid other = grid.scaled(factor);
+    for (int row = 0; row < DepthGrid::rows; ++row) {
+      for (int column = 0; column < DepthGrid::columns; ++column) {
+        const Eigen::Vector2d pixel(64.0 * column + 32.0, 60.0 * row + 30.0);
+        const auto own = grid(pixel), scaled = other(pixel);
+        // One level is lost by rounding down.
+        const double step = std::exp2(1.0 / DepthGrid::levels_per_octave);
+        if (!own || *own * factor < DepthGrid::least_metres) {
+          CHECK_FALSE(scaled);
+        } else if (*own * factor > step * DepthGrid::least_metres) {
+          REQUIRE(scaled);
+          CHECK(*scaled <= *own * factor * (1.0 + 1e-12));
+          CHECK((*scaled * step > *own * factor * (1.0 - 1e-12) || *scaled > 53.0));
+        }
+      }
+    }
+  }
+  for (const double factor : {0.0, -2.0, std::numeric_limits<double>::infinity()}) {
+    CHECK_THROWS_AS(grid.scaled(factor), InvalidValue);
+  }
+}
+
 TEST_CASE("a depth grid needs an image", "[sensing]") {
   CHECK_THROWS_AS(DepthGrid(wall_at_two_metres, 0, 480), InvalidValue);
   CHECK_THROWS_AS(DepthGrid(DepthGrid::Levels{}, 640, 0), InvalidValue);

@@ -15,6 +15,7 @@
 #include <topobag/adaptors/orb_slam/drop_features.hpp>
 #include <topobag/adaptors/orb_slam/host_key_frame.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_bag.hpp>
+#include <topobag/adaptors/orb_slam/lost_sight.hpp>
 #include <topobag/adaptors/orb_slam/orb_slam_options.hpp>
 #include <topobag/adaptors/orb_slam/sightings_file.hpp>
 #include <topobag/graph/sight_keyframe.hpp>
@@ -46,9 +47,9 @@ class OrbSlamDatabase {
   using Place = OrbSlamPlace<KeyFrame>;
   using Places = std::vector<Place>;
 
-  /// The graph of the frame that tracking is lost in, or nothing; called on the tracking thread. A
-  /// lost tracker may afford the detector's time.
-  using GraphOfFrame = std::function<std::optional<Graph>(const Frame&)>;
+  /// What is seen in the frame that tracking is lost in, a `std::optional<Graph>` or a `LostSight`;
+  /// called on the tracking thread. A lost tracker may afford the detector's time.
+  using GraphOfFrame = std::function<LostSight(const Frame&)>;
 
   /// Which way is down in a key frame's camera frame, by what the host knows when the key frame's
   /// graph is made. Called on whichever thread makes the graph, with no lock of ours held. (A lost
@@ -90,7 +91,6 @@ class OrbSlamDatabase {
   }
 
   // ---- Beside the host's saved map
-  // -----------------------------------------------------------------
 
   /// What was seen in the key frames that are there: for `save_sightings`, when the host saves.
   std::vector<SavedSighting> sightings() const { return bag_.sightings(); }
@@ -112,7 +112,6 @@ class OrbSlamDatabase {
   }
 
   // ---- As the host's KeyFrameDatabase
-  // ------------------------------------------------------------
 
   /// As `KeyFrameBag::add`.
   void add(Pointer key_frame) {
@@ -163,7 +162,6 @@ class OrbSlamDatabase {
   }
 
   // ---- The same with poses
-  // -----------------------------------------------------------------------
 
   /// Verified earlier places of a key frame in its own map, best first: none that is covisible with
   /// it, nor of the present visit. The host keeps `key_frame` alive meanwhile.
@@ -178,22 +176,22 @@ class OrbSlamDatabase {
   }
 
   /// Where the lost camera may be: verified places first, then guesses by falling score, for the
-  /// host to test; in that map alone, where one is given. May be called with the host's lock of its
-  /// map held.
+  /// host to test; in that map alone, where one is given. By the objects' directions where too few
+  /// have a depth (`LostSight`). May be called with the host's lock of its map held.
   Places relocalization_places(const Frame& frame, const Map* map = nullptr) {
     return guarded_([&] {
-      std::optional<Graph> graph;
-      if (graph_of_frame_) graph = graph_of_frame_(frame);
-      if (!graph) return Places{};
+      LostSight seen;
+      if (graph_of_frame_) seen = graph_of_frame_(frame);
       AskedKeyFrames<KeyFrame> asked;
       asked.map = map;
       if (map != nullptr) asked.maps = AskedMaps::this_one;
-      return best(bag_.places(*graph, asked), options_.max_relocalizations);
+      const std::size_t most = options_.max_relocalizations;
+      if (seen.is_without_depth()) return best(bag_.places(*seen.bearings, asked), most);
+      return seen.graph ? best(bag_.places(*seen.graph, asked), most) : Places{};
     });
   }
 
   // ---- Counts
-  // ------------------------------------------------------------------------------------
 
   /// Key frames that can be found.
   std::size_t size() const { return bag_.size(); }

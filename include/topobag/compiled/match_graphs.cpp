@@ -8,6 +8,9 @@ inline namespace v0 {
 
 template GraphMatch detail::match_known(const TopologyGraph<double>&,
                                         const detail::KnownDistances<double>&, const MatchOptions&);
+template GraphMatch detail::match_in_one_unit(const TopologyGraph<double>&,
+                                              const detail::KnownDistances<double>&,
+                                              const MatchOptions&);
 template GraphMatch match_graphs(const TopologyGraph<double>&, const TopologyGraph<double>&,
                                  const MatchOptions&);
 template CandidateExplanation explain_candidate(const CandidateReport&,

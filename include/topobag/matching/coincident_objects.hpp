@@ -6,12 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/graph/detail/rescaled.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/detail/one_to_one.hpp>
 #include <topobag/matching/point_pair.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/sensing/sensor_profile.hpp>
+#include <topobag/types/semantic_node.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -32,12 +34,14 @@ std::vector<Correspondence> coincident_objects(const TopologyGraph<Scalar>& cand
                                                const TopologyGraph<Scalar>& query,
                                                const RelativePose& pose,
                                                const CoincidenceOptions& options = {}) {
+  const detail::Rescaled<TopologyGraph<Scalar>> in_metres(query, pose.scale);
+  const std::vector<SemanticNode<Scalar>>& here = (*in_metres).nodes();
   std::vector<std::pair<double, Correspondence>> near;
   for (std::size_t q = 0; q < query.size(); ++q) {
-    if (!query.nodes()[q].position) continue;
+    if (!here[q].position) continue;
     for (std::size_t p = 0; p < candidate.size(); ++p) {
       if (!candidate.nodes()[p].position) continue;
-      const PointPair points = point_pair(candidate.nodes()[p], query.nodes()[q], options.noise);
+      const PointPair points = point_pair(candidate.nodes()[p], here[q], options.noise);
       if (points.residual(pose.T_candidate_query).norm() > options.max_distance) continue;
       const double deviation2 = points.squared_deviation(pose.T_candidate_query);
       if (deviation2 <= options.deviations * options.deviations) {

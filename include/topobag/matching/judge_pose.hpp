@@ -2,16 +2,12 @@
 #pragma once
 
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include <Eigen/Geometry>
 
 #include <topobag/graph/topology_graph.hpp>
-#include <topobag/matching/detail/offered_pairs.hpp>
-#include <topobag/matching/detail/pose_judge.hpp>
+#include <topobag/matching/detail/pose_up_to_scale.hpp>
 #include <topobag/matching/match_options.hpp>
-#include <topobag/matching/point_pair.hpp>
 #include <topobag/matching/relative_pose.hpp>
 
 namespace topobag {
@@ -20,27 +16,20 @@ inline namespace v0 {
 /// What two graphs say of a pose between them that is known but for a refinement: as `match_graphs`
 /// says of the poses that it finds.
 ///
-/// Nothing when fewer than three objects (two, where the vertical is known) agree with the pose. No
+/// Nothing when fewer than three objects (two, where the vertical is known) agree with the pose; of
+/// unknown scale (`MatchOptions::scale`) it takes one more, and the scale is refined as well. No
 /// pair is left out, however many are offered. O(n · k + missing objects).
+/// @param scale  candidate's metres in a unit of the query, about; read where it is unknown
 template <typename Scalar>
 std::optional<RelativePose> judge_pose(const TopologyGraph<Scalar>& candidate,
                                        const TopologyGraph<Scalar>& query,
                                        const Eigen::Isometry3d& T_candidate_query,
-                                       const MatchOptions& options = {}) {
-  const std::vector<Correspondence> pairs =
-      detail::offered_pairs(candidate, query, options.consistency);
-  std::vector<PointPair> points;
-  points.reserve(pairs.size());
-  for (const Correspondence& pair : pairs) {
-    points.push_back(point_pair(candidate.node(pair.candidate), query.node(pair.query),
-                                options.consistency.noise));
+                                       const MatchOptions& options = {}, double scale = 1.0) {
+  if (!options.scale) {
+    return detail::judge_in_one_unit(candidate, query, T_candidate_query, options);
   }
-  const detail::PoseJudge<Scalar> judge(candidate, query, pairs, points, options);
-  auto supporters = judge.supporters_of(T_candidate_query);
-  if (supporters.size() < judge.min_pairs()) return std::nullopt;
-  const auto settled = judge.settle(T_candidate_query, std::move(supporters));
-  if (!settled) return std::nullopt;
-  return judge.weigh(*settled);
+  const detail::ScaleJudge<Scalar> judge(candidate, query, options, *options.scale);
+  return judge.settle(T_candidate_query, scale);
 }
 
 }  // namespace v0

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include <topobag/matching/chance_model.hpp>
 #include <topobag/matching/consistency_graph.hpp>
 #include <topobag/matching/missing_objects.hpp>
 #include <topobag/matching/refine_pose.hpp>
+#include <topobag/matching/scale_range.hpp>
 #include <topobag/matching/viewpoint_prior.hpp>
 #include <topobag/sensing/sensor_profile.hpp>
 
@@ -33,6 +35,8 @@ struct MatchOptions {
       0.31;  ///< rad; a pose less certain about its worst axis is degenerate
   double distinct_translation = default_sensor.pose_resolution;  ///< m; two poses further apart,
   double distinct_rotation = 0.5;  ///< rad; or turned by more, are different
+  /// Of the query's unit, where that is not known; by default both graphs are in metres.
+  std::optional<ScaleRange> scale{};
 };
 
 }  // namespace v0

@@ -18,7 +18,8 @@ inline namespace v0 {
 
 /// The pose of a query graph in a candidate graph, and what stands behind it.
 struct RelativePose {
-  /// From the camera frame of the query graph's key frame to that of the candidate's.
+  /// From the camera frame of the query graph's key frame, in the candidate's metres, to that of
+  /// the candidate's.
   Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
 
   /// Of the error ξ = (translation m, rotation rad) in the candidate's frame: T_true = Exp(ξ) ·
@@ -39,6 +40,15 @@ struct RelativePose {
   double missing_cost = 0.0;  ///< of the objects in `missing`
   /// log10 of the prior odds of the rotation (`viewpoint_prior.hpp`).
   double viewpoint_odds = 0.0;
+
+  double scale = 1.0;            ///< candidate's metres in a unit of the query (`scale_range.hpp`)
+  double scale_deviation = 0.0;  ///< of `scale`, one standard deviation; 0 where it was known
+
+  /// Where a point of the query's graph, in its own unit, is in the candidate's frame, m.
+  template <typename Point>
+  Eigen::Vector3d in_candidate(const Eigen::MatrixBase<Point>& query_point) const {
+    return T_candidate_query * (scale * query_point.template cast<double>());
+  }
 
   /// Standard deviation of the rotation about its least certain axis, rad.
   /// @tparam Solver  of the eigenvalues, with `computeDirect`

@@ -85,7 +85,7 @@ std::vector<ObjectChange> what_changed(const TopologyGraph<Scalar>& candidate,
       if (settled[q] || !here.position) continue;
       if (!options.classes.compatible(candidate.node(p).label, here.label)) continue;
       const double distance =
-          (pose.T_candidate_query * place_of(here) - place_of(candidate.node(p))).norm();
+          (pose.in_candidate(place_of(here)) - place_of(candidate.node(p))).norm();
       if (distance <= options.max_move) moves.push_back({distance, {p, node_index(q)}});
     }
   }
@@ -96,12 +96,12 @@ std::vector<ObjectChange> what_changed(const TopologyGraph<Scalar>& candidate,
     settled[value(pair.query)] = still_there[value(pair.candidate)] = true;
     changes.push_back({ChangeKind::moved, query.node(pair.query).label, pair.candidate, pair.query,
                        place_of(candidate.node(pair.candidate)),
-                       pose.T_candidate_query * place_of(query.node(pair.query))});
+                       pose.in_candidate(place_of(query.node(pair.query)))});
   }
   for (const NodeIndex q : appeared) {
     if (settled[value(q)]) continue;
     changes.push_back({ChangeKind::appeared, query.node(q).label, std::nullopt, q, std::nullopt,
-                       pose.T_candidate_query * place_of(query.node(q))});
+                       pose.in_candidate(place_of(query.node(q)))});
   }
   for (const NodeIndex p : gone) {
     if (still_there[value(p)]) continue;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <topobag/graph/detail/rescaled.hpp>
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/point_pair.hpp>
@@ -54,8 +55,9 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
                                       const RecognitionOptions& options,
                                       std::optional<double> best_margin) {
   const double agreeing = report.pose ? static_cast<double>(report.pose->inliers.size()) : 0.0;
+  const double needed = options.matching.scale ? 4.0 : 3.0;
   std::vector<ExplainedStage> stages{
-      {"objects that agree", report.pose.has_value(), agreeing, 3.0, true, {}}};
+      {"objects that agree", report.pose.has_value(), agreeing, needed, true, {}}};
   if (!report.pose) return stages;
   const auto& pose = *report.pose;
   const MatchOptions& matching = options.matching;
@@ -130,10 +132,12 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   explanation.stages = detail::stages_of(report, query, options, best_margin);
   if (!report.pose) return explanation;
   const RelativePose& pose = *report.pose;
+  if (pose.scale_deviation > 0.0) explanation.scale = {pose.scale, pose.scale_deviation};
   const auto name = [&](const auto& node) { return detail::class_name(catalog, node.label); };
+  const detail::Rescaled<TopologyGraph<Scalar>> in_metres(query, pose.scale);
   for (const Correspondence& pair : pose.inliers) {
     const auto& there = candidate.node(pair.candidate);
-    const auto& here = query.node(pair.query);
+    const auto& here = (*in_metres).node(pair.query);
     const PointPair points = point_pair(there, here, options.matching.consistency.noise);
     explanation.matched.push_back(
         {pair.candidate, pair.query, name(there), name(here),
@@ -144,10 +148,9 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   for (const MissingObject& missing : pose.missing) {
     const auto& node = (missing.of_candidate ? candidate : query).node(missing.node);
     const Eigen::Vector3d position = node.position->template cast<double>();
-    explanation.missing.push_back(
-        {missing.node, missing.of_candidate, name(node),
-         missing.of_candidate ? position : pose.T_candidate_query * position, missing.views,
-         missing.measured_views, missing.cost});
+    explanation.missing.push_back({missing.node, missing.of_candidate, name(node),
+                                   missing.of_candidate ? position : pose.in_candidate(position),
+                                   missing.views, missing.measured_views, missing.cost});
   }
   if (report.verdict == Verdict::accepted || report.verdict == Verdict::not_best) {
     ChangeOptions changes;

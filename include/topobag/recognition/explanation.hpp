@@ -63,6 +63,21 @@ struct ExplainedChange {
   std::string class_name;  ///< name of the object's class
 };
 
+/// The scale that was found where the query's was not known.
+struct ExplainedScale {
+  double value = 1.0;      ///< candidate's metres in a unit of the query
+  double deviation = 0.0;  ///< one standard deviation
+};
+
+/// "up to scale: 1 unit of the query is 0.71 ± 0.02 m of the map"
+inline std::string to_string(const ExplainedScale& scale) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(2) << "up to scale: 1 unit of the query is " << scale.value
+      << " ± " << scale.deviation << " m of the map";
+  return out.str();
+}
+
 /// Why one candidate was or was not accepted.
 struct CandidateExplanation {
   KeyframeId id{};                          ///< of the candidate
@@ -70,6 +85,7 @@ struct CandidateExplanation {
   double similarity = 0.0;                  ///< of the retrieval
   std::optional<double> confidence;         ///< P(true), when the decision is calibrated
   std::optional<double> place_support;      ///< of the pose by the place around the candidate
+  std::optional<ExplainedScale> scale;      ///< of the pose that was judged, where not known before
   std::optional<RivalPlace> rival;          ///< the other place that fits about as well
   bool complete = true;                     ///< false when a budget ended the search for poses
   std::vector<ExplainedStage> stages;       ///< in the order in which they are asked
@@ -132,6 +148,7 @@ inline std::string to_string(const CandidateExplanation& candidate,
   if (!candidate.complete) {
     out << "  the search was cut short (max_pairs, max_steps or max_hypotheses)\n";
   }
+  if (candidate.scale) out << "  " << to_string(*candidate.scale) << '\n';
   for (const ExplainedStage& stage : candidate.stages) {
     const auto [has, asked] = detail::told_apart(stage.value, stage.asked);
     out << "  " << (stage.passed ? "passed" : "failed") << "  " << stage.name << ": " << has

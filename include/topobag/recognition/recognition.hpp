@@ -32,6 +32,8 @@ struct CandidateReport {
   std::optional<double> place_support;      ///< of the pose by all objects of the place around it
   double place_share = 0.5;                 ///< what that counts for beside the graph's own support
   std::optional<RefinedPose> place_pose;    ///< over those, when no fewer agree, and no less
+  double place_scale = 1.0;                 ///< of that pose, as `RelativePose::scale`
+  double place_scale_deviation = 0.0;       ///< of that pose, as `RelativePose::scale_deviation`
   std::optional<RivalPlace> rival;          ///< that keeps the pose from being believed
   std::size_t places = 0;                   ///< of the map that can hold what was matched
   double threshold = 0.0;                   ///< the score that was asked for, among these

@@ -8,6 +8,7 @@
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
 #include <topobag/bag/detail/present_view.hpp>
+#include <topobag/recognition/detail/scaled_candidates.hpp>
 #include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
@@ -62,7 +63,7 @@ class Relocalizer {
   Recognition localize(const Graph& query, const RecognitionOptions& options) const {
     // Asked and verified as it is now, whatever a writer does meanwhile.
     const auto map = detail::present_view(map_, 0);
-    return verify_candidates(*map, query, map->query(query, options.retrieval), options);
+    return verify_candidates(*map, query, detail::candidates_of(*map, query, options), options);
   }
 
   /// Those of every query that brings none.

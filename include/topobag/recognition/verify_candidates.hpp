@@ -92,6 +92,8 @@ void accept_best(Answer& recognition) {
     if (report.place_pose) {
       recognition.accepted->pose->T_candidate_query = report.place_pose->T_target_source;
       recognition.accepted->pose->covariance = report.place_pose->covariance;
+      recognition.accepted->pose->scale = report.place_scale;
+      recognition.accepted->pose->scale_deviation = report.place_scale_deviation;
     }
   }
 }

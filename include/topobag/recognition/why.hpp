@@ -26,6 +26,9 @@ inline std::string why(const Recognition& recognition, const KeyframeName& name_
     const auto [score, asked] = detail::told_apart(told.score(), told.threshold);
     line += ": " + std::to_string(told.pose->inliers.size()) + " objects agree, score " + score +
             " of at least " + asked;
+    if (told.pose->scale_deviation > 0.0) {
+      line += ", " + to_string(ExplainedScale{told.pose->scale, told.pose->scale_deviation});
+    }
   }
   if (recognition) return line;
   line += std::string(": ") + to_string(told.verdict);

@@ -63,6 +63,21 @@ class DepthGrid {
   /// All that is kept of the depths.
   const Levels& levels() const noexcept { return levels_; }
 
+  /// The same in another unit of length: all depths times `factor`, to the eighth of an octave
+  /// below. Throws InvalidValue for a factor that is not positive and finite.
+  DepthGrid scaled(double factor) const {
+    if (!(factor > 0.0 && std::isfinite(factor))) {
+      throw InvalidValue("depths are scaled by a positive number");
+    }
+    const double levels = std::floor(levels_per_octave * std::log2(factor));
+    const double most = (1 << level_bits) - 1;
+    DepthGrid result = *this;
+    for (Level& level : result.levels_) {
+      if (level > 0) level = static_cast<Level>(std::clamp(level + levels, 0.0, most));
+    }
+    return result;
+  }
+
   /// How far one can see at least in the cell of a pixel, m, to the eighth of an octave below;
   /// nothing where that is not measured or outside the image. A depth source itself. O(1).
   std::optional<double> operator()(const Eigen::Vector2d& pixel) const noexcept {

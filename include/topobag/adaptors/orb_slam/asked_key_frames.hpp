@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include <topobag/adaptors/orb_slam/host_maps.hpp>
 #include <topobag/bag/entry_filter.hpp>
+#include <topobag/recognition/recognition_options.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -32,6 +36,25 @@ struct AskedKeyFrames {
     return maps == AskedMaps::all || (map_of(key_frame) == map) == (maps == AskedMaps::this_one);
   }
 };
+
+namespace detail {
+
+/// The options with which those ids alone are found, rising, which have to stay, besides what the
+/// options ask for themselves.
+template <typename KeyFrame>
+RecognitionOptions options_among(const RecognitionOptions& options,
+                                 const std::vector<std::uint64_t>& ids,
+                                 const AskedKeyFrames<KeyFrame>& asked) {
+  RecognitionOptions among = options;
+  if (asked.not_of) among.retrieval.among.not_of = asked.not_of;
+  const auto& wanted = options.retrieval.filter;
+  among.retrieval.filter = [&ids, &wanted](KeyframeId id, const EntryInfo& info) {
+    return std::binary_search(ids.begin(), ids.end(), value(id)) && (!wanted || wanted(id, info));
+  };
+  return among;
+}
+
+}  // namespace detail
 
 }  // namespace v0
 }  // namespace topobag

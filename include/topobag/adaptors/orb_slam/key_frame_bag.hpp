@@ -9,12 +9,14 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <topobag/adaptors/orb_slam/asked_key_frames.hpp>
 #include <topobag/adaptors/orb_slam/call_guard.hpp>
 #include <topobag/adaptors/orb_slam/host_reader.hpp>
+#include <topobag/adaptors/orb_slam/lost_sight.hpp>
 #include <topobag/adaptors/orb_slam/place.hpp>
 #include <topobag/bag/savable_graph.hpp>
 #include <topobag/error.hpp>
@@ -180,20 +182,16 @@ class KeyFrameBag {
   /// Every pose that a candidate offers: verified ones first, then by falling score, ties by id.
   /// Only those asked for compete to be candidates; they pass the filter of the options' retrieval
   /// too, which is asked with the lock held.
-  Places places(const Graph& graph, const AskedKeyFrames<KeyFrame>& asked) {
+  /// @param query  a graph, or a `BearingSighting`
+  template <typename Query>
+  Places places(const Query& query, const AskedKeyFrames<KeyFrame>& asked) {
     Lock lock(mutex_);
     const std::uint64_t epoch = host_.known().epoch();
     const std::vector<std::uint64_t> among =
         host_.those_that(lock, [&](KeyFrame& key_frame) { return asked.contains(key_frame); });
     if (host_.known().epoch() != epoch) return {};
-    RecognitionOptions options = relocalizer_.options();
-    if (asked.not_of) options.retrieval.among.not_of = asked.not_of;
-    const auto& wanted = relocalizer_.options().retrieval.filter;
-    options.retrieval.filter = [&](KeyframeId id, const EntryInfo& info) {
-      return std::binary_search(among.begin(), among.end(), value(id)) &&
-             (!wanted || wanted(id, info));
-    };
-    const Recognition recognition = relocalizer_.localize(graph, options);
+    const Recognition recognition = detail::located(
+        relocalizer_, query, detail::options_among(relocalizer_.options(), among, asked));
     std::vector<std::pair<const CandidateReport*, Pointer>> found;
     for (const CandidateReport& report : recognition.candidates) {
       if (report.pose) found.emplace_back(&report, host_.known().key_frame(value(report.id)));
@@ -203,6 +201,7 @@ class KeyFrameBag {
     for (const auto& [report, key_frame] : found) {
       if (!is_bad(*key_frame)) detail::append_places(*report, key_frame, asked.map, places);
     }
+    for (auto& place : places) place.by_bearings = std::is_same_v<Query, BearingSighting>;
     return detail::best_first(places);
   }
 

@@ -23,10 +23,11 @@ struct OrbSlamPlace {
   Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();  ///< the match
   /// The candidate's pose at the time of the query, carried on.
   Eigen::Isometry3d T_world_query = Eigen::Isometry3d::Identity();
-  double score = 0.0;      ///< `RelativePose::score()`
-  bool verified = false;   ///< passed every stage of the decision, or was only not the best;
-                           ///< otherwise a guess that the host has to test
-  bool other_map = false;  ///< in another map than was asked for (hosts with several)
+  double score = 0.0;        ///< `RelativePose::score()`
+  bool verified = false;     ///< passed every stage of the decision, or was only not the best;
+                             ///< otherwise a guess that the host has to test
+  bool other_map = false;    ///< in another map than was asked for (hosts with several)
+  bool by_bearings = false;  ///< found by directions alone, without depth
 
   /// The host's `mTcw` for the query: world to camera.
   PlainPose camera_pose() const { return plain_pose(T_world_query.inverse()); }

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/bag/entry_info.hpp>
+#include <topobag/graph/detail/rescaled.hpp>
 #include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
@@ -112,11 +113,13 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
     PlaceHypothesis& hypothesis = hypotheses[i];
     auto& report = reports[hypothesis.report];
     const auto candidate = stored_graph(bag, report.id, 0);
+    const double scale = hypothesis.pose->scale;
+    const Rescaled<typename Bag::Graph> in_metres(query, scale);
     const auto place =
-        place_graph(bag, report.id, *candidate, query, hypothesis.pose->T_candidate_query,
+        place_graph(bag, report.id, *candidate, *in_metres, hypothesis.pose->T_candidate_query,
                     options.retrieval, options.matching, options.place);
     const auto pose =
-        judge_pose(place, query, hypothesis.pose->T_candidate_query, options.matching);
+        judge_pose(place, query, hypothesis.pose->T_candidate_query, options.matching, scale);
     const double least = hypothesis.support - options.place.max_contradiction;
     const double place_support = pose ? std::max(least, pose->support()) : least;
     double share = report.place_share;
@@ -133,6 +136,8 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
     if (pose && pose->inliers.size() >= report.pose->inliers.size() &&
         pose->rms <= report.pose->rms && within_uncertainty(*report.pose, *pose)) {
       report.place_pose = RefinedPose{pose->T_candidate_query, pose->covariance};
+      report.place_scale = pose->scale;
+      report.place_scale_deviation = pose->scale_deviation;
     }
   }
   for (std::size_t i = 0; i < judged; ++i) {

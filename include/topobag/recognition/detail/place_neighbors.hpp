@@ -126,7 +126,9 @@ std::vector<Neighbor<Bag>> neighbors_by_id(const Bag& bag, KeyframeId id, const 
       if (!there || there->session != info.session || !retrieval.admits(near, *there)) continue;
       auto graph = stored_graph(bag, near, 0);
       if (!graph) continue;
-      const GraphMatch match = match_graphs(candidate, *graph, matching);
+      // Key frames of one map are in one unit.
+      const KnownDistances<typename Bag::Graph::Scalar> known(*graph, matching.consistency.noise);
+      const GraphMatch match = match_in_one_unit(candidate, known, matching);
       const bool sure = !match.poses.empty() && !match.poses.front().degenerate &&
                         match.poses.front().support() >= 3.0;  // odds of a thousand to one
       if (sure) neighbors.push_back({std::move(graph), match.poses.front().T_candidate_query});

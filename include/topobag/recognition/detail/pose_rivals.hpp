@@ -42,7 +42,7 @@ std::size_t objects_put_elsewhere(const Graph& query, const RelativePose& pose,
                                   [&](const auto& there) { return there.query == pair.query; });
     if (!both || !T_other_query_in_pose) return true;
     const Eigen::Vector3d at = query.node(pair.query).position->template cast<double>();
-    return (pose.T_candidate_query * at - *T_other_query_in_pose * at).norm() > same_spot;
+    return (pose.in_candidate(at) - *T_other_query_in_pose * (other.scale * at)).norm() > same_spot;
   };
   return static_cast<std::size_t>(
       std::count_if(pose.inliers.begin(), pose.inliers.end(), elsewhere));

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What the program beside an ORB-SLAM makes of lost frames, with depth and without.
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include <host.hpp>
+#include <semantic_slam.hpp>
+
+#include "catch.hpp"
+#include "recognition/synthetic_room.hpp"
+
+namespace {
+
+/// A camera in a room: the boxes that a detector finds in its images.
+struct SeenRoom {
+  std::vector<topobag::RangedDetection> detect(double stamp) const {
+    std::vector<topobag::RangedDetection> found;
+    const topobag::TopologyGraph<> seen = room.seen_from(cameras.at(stamp));
+    for (const auto& node : seen.nodes()) {
+      const Eigen::Vector2d size = 400.0 / node.z * node.size;
+      found.push_back({topobag::box_around(*camera.project(*node.position), size.x(), size.y()),
+                       topobag::ClassId{topobag::value(node.label) + 56}, 0.9,
+                       knows_depth ? node.z : 0.0});
+    }
+    return found;
+  }
+
+  const topobag::PinholeCamera<> camera{400.0, 400.0, 319.5, 239.5, 640, 480};
+  const SyntheticRoom room{4, 9, 9};
+  std::map<double, Eigen::Isometry3d> cameras;  ///< by the stamp of the image
+  bool knows_depth = true;
+};
+
+}  // namespace
+
+TEST_CASE("a lost frame is looked up by its objects, or by their directions without depth",
+          "[hooks]") {
+  std::mt19937 random(6);
+  SeenRoom seen;
+  const cv::Mat image = cv::Mat::zeros(4, 4, CV_8U);
+  semantic::Settings settings;
+  settings.camera = seen.camera;
+  semantic::SemanticSlam beside(
+      settings, topobag::ClassCatalog::coco80(),
+      [&seen](const semantic::Images& images) { return seen.detect(images.stamp); });
+  host::Map map;
+  std::vector<std::unique_ptr<host::KeyFrame>> key_frames;
+  for (unsigned long id = 1; id <= 3; ++id) {
+    const double stamp = static_cast<double>(id);
+    seen.cameras[stamp] = random_camera(random);
+    host::Frame frame(stamp);
+    beside.FrameMade(frame, image, image);
+    key_frames.push_back(std::make_unique<host::KeyFrame>(id, stamp, seen.cameras[stamp], map));
+    beside.KeyFrameMade(key_frames.back().get());
+    beside.Added(key_frames.back().get());
+  }
+  beside.wait_idle();
+  REQUIRE(beside.size() == 3);
+  const bool depths[] = {true, false, true};
+  double stamp = 10.0;
+  for (const bool with_depth : depths) {
+    seen.knows_depth = with_depth;
+    stamp += 5.0;
+    seen.cameras[stamp] = random_camera(random);
+    host::Frame frame(stamp);
+    beside.FrameMade(frame, image, image);
+    std::vector<host::KeyFrame*> candidates;
+    beside.RelocalizationCandidates(&frame, candidates, nullptr);
+    CAPTURE(with_depth);
+    CHECK_FALSE(candidates.empty());
+    CHECK_FALSE(beside.RelocalizationPlaces().empty());
+    const semantic::OfferedPlaces offered = beside.offered_places().back();
+    CHECK(offered.by_bearings != with_depth);
+    CHECK(offered.verified > 0);
+    REQUIRE(offered.T_world_camera);
+    const Eigen::Isometry3d off = offered.T_world_camera->inverse() * seen.cameras[stamp];
+    CHECK(off.translation().norm() < 0.1);
+    CHECK(beside.times().count("tracking, lost: query by directions") == (stamp < 20.0 ? 0U : 1U));
+  }
+  CHECK(beside.failures().first == 0);
+  beside.stop();
+}
