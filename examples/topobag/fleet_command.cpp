@@ -50,7 +50,7 @@ void add_fleet_command(CLI::App& app) {
   CLI::App& init = add_part(fleet, arguments, "init", "Prepares a data base and makes sites in it");
   add_classes_option(init, arguments->classes);
   on_address(init, arguments, [](const FleetArguments& given, const FleetAddress& address) {
-    prepare_fleet(address, given.classes.catalog);
+    prepare_fleet(address, given.classes);
     std::cout << "prepared\n";
   });
 
@@ -78,7 +78,7 @@ void add_fleet_command(CLI::App& app) {
   on_address(follow, arguments, [](const FleetArguments& given, const FleetAddress& address) {
     std::optional<std::chrono::seconds> time;
     if (given.seconds) time = std::chrono::seconds(*given.seconds);
-    follow_fleet(address, given.classes.catalog, time,
+    follow_fleet(address, given.classes, time,
                  [](const std::string& text) { std::cout << text << std::endl; });
   });
 

@@ -9,25 +9,27 @@
 #include <vector>
 
 #include <topobag/bag/bag_of_topology_graphs.hpp>
-#include <topobag/types/class_catalog.hpp>
+#include <topobag/bag/described_catalog.hpp>
 
 #include "fleet_address.hpp"
 #include "saved_map.hpp"
 
 // What the program asks a fleet's servers. Each call throws topobag::Error, and InputError where
-// the program was built without libpq.
+// the program was built without libpq; FormatError where a site says something else of its classes.
 namespace program {
 
+/// What the first of the address' sites that says so keeps of its classes.
+std::optional<topobag::DescribedCatalog> fleet_map_classes(const std::string& address);
+
 /// The key frames of the address' sites, by site, robot, session and number.
-SavedMap read_fleet_map(const std::string& address, const topobag::ClassCatalog& catalog);
+SavedMap read_fleet_map(const std::string& address, const ObjectClasses& classes);
 
 /// Adds a session of a robot to the address' site: whole, or not at all.
 void extend_fleet_map(const std::string& address, const std::string& session,
-                      const topobag::BagOfTopologyGraphs<>& entries,
-                      const topobag::ClassCatalog& catalog);
+                      const topobag::BagOfTopologyGraphs<>& entries, const ObjectClasses& classes);
 
 /// Prepares the data base, and makes those of the address' sites that are not there.
-void prepare_fleet(const FleetAddress& address, const topobag::ClassCatalog& catalog);
+void prepare_fleet(const FleetAddress& address, const ObjectClasses& classes);
 
 /// Lets a role read the address' sites, and write there as the address' robot where it names one.
 void admit_to_fleet(const FleetAddress& address, const std::string& role);
@@ -39,7 +41,7 @@ std::size_t push_to_fleet(const FleetAddress& address, const std::string& map);
 /// Follows the address' sites and tells how many key frames of how many sessions there are,
 /// whenever that changes, and why a server cannot be asked, until the time is up; without one, for
 /// ever. Throws InputError for a site that the server does not have.
-void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& catalog,
+void follow_fleet(const FleetAddress& address, const ObjectClasses& classes,
                   std::optional<std::chrono::seconds> time,
                   const std::function<void(const std::string&)>& tell);
 

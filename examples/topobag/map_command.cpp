@@ -27,7 +27,8 @@ void make_map(const MapArguments& arguments) {
   if (!is_fleet_address(arguments.out)) require_folder("--out", arguments.out);
   topobag::require_utf8(arguments.session, "--session");
   KeyframeOptions options = arguments.keyframes;
-  if (arguments.append) options.classes = classes_of_maps({arguments.out}, options.classes);
+  const bool goes_on = arguments.append || is_fleet_address(arguments.out);
+  if (goes_on) options.classes = classes_of_maps({arguments.out}, options.classes);
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
   const std::string session =

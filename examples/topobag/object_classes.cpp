@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include <topobag/types/catalog_fingerprint.hpp>
+
 #include "csv_reader.hpp"
 #include "input_error.hpp"
 
@@ -121,6 +123,28 @@ topobag::DescribedCatalog described(const ObjectClasses& classes) {
   catalog.sizes = classes.sizes;
   catalog.source = classes.file.empty() ? "COCO's classes" : classes.file;
   return catalog;
+}
+
+bool may_adopt(const ObjectClasses& classes) {
+  return classes.file.empty() && !classes.first_word && !classes.confusion;
+}
+
+ObjectClasses adopted(ObjectClasses given, const topobag::DescribedCatalog& kept,
+                      const std::string& map) {
+  if (topobag::fingerprint(kept.catalog) == topobag::fingerprint(given.catalog)) {
+    if (!topobag::difference(kept, described(given))) return given;
+    for (const topobag::ClassId id : kept.catalog.ids()) {
+      given.catalog.set_dynamics(id, kept.catalog.dynamics(id));
+    }
+  } else {
+    given.catalog = kept.catalog;
+    given.lookalikes = topobag::lookalike_classes(kept.catalog);
+    given.sizes = {};
+  }
+  given.file = map;
+  if (kept.lookalikes) given.lookalikes = *kept.lookalikes;
+  if (kept.sizes) given.sizes = *kept.sizes;
+  return given;
 }
 
 void add_classes_option(CLI::App& command, ObjectClasses& classes) {

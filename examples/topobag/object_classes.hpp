@@ -51,6 +51,15 @@ void add_map_words(const std::string& path, ObjectClasses& classes);
 /// As maps keep and check them.
 topobag::DescribedCatalog described(const ObjectClasses& classes);
 
+/// Whether a map's own classes come before these: none were asked for.
+bool may_adopt(const ObjectClasses& classes);
+
+/// The classes that a map keeps; what it leaves unsaid, and other names of the same classes, as
+/// given.
+/// @param map  by which messages call them
+ObjectClasses adopted(ObjectClasses given, const topobag::DescribedCatalog& kept,
+                      const std::string& map);
+
 /// Adds `--classes FILE`, which fills `classes`. Parsing throws topobag::Error.
 void add_classes_option(CLI::App& command, ObjectClasses& classes);
 

@@ -92,26 +92,6 @@ void require_new(const std::string& path, const Bag& bag, const Bag& entries) {
                              ": mapped twice, a place is found by itself");
 }
 
-/// The classes that a map keeps; what it leaves unsaid, and other names of the same classes, as
-/// given.
-ObjectClasses with_kept(ObjectClasses classes, const topobag::DescribedCatalog& kept,
-                        const std::string& path) {
-  if (topobag::fingerprint(kept.catalog) == topobag::fingerprint(classes.catalog)) {
-    if (!topobag::difference(kept, described(classes))) return classes;
-    for (const topobag::ClassId id : kept.catalog.ids()) {
-      classes.catalog.set_dynamics(id, kept.catalog.dynamics(id));
-    }
-  } else {
-    classes.catalog = kept.catalog;
-    classes.lookalikes = topobag::lookalike_classes(kept.catalog);
-    classes.sizes = {};
-  }
-  classes.file = path;
-  if (kept.lookalikes) classes.lookalikes = *kept.lookalikes;
-  if (kept.sizes) classes.sizes = *kept.sizes;
-  return classes;
-}
-
 /// Which kind of map a new file is.
 bool is_sqlite_name(const std::string& path) { return fs::path(path).extension() == ".db"; }
 
@@ -175,18 +155,19 @@ void require_sqlite_map(const std::string& path) {
 }
 
 ObjectClasses classes_of_maps(const std::vector<std::string>& paths, const ObjectClasses& given) {
-  if (!given.file.empty() || given.first_word || given.confusion) return given;
+  if (!may_adopt(given)) return given;
   for (const std::string& path : paths) {
-    if (is_fleet_address(path) || !is_saved_map(path)) continue;
-    const auto kept =
-        kind_of(path) == MapKind::sqlite ? sqlite_map_classes(path) : topobag::saved_catalog(path);
-    if (kept) return with_kept(given, *kept, path);
+    if (!is_saved_map(path)) continue;
+    const auto kept = is_fleet_address(path)             ? fleet_map_classes(path)
+                      : kind_of(path) == MapKind::sqlite ? sqlite_map_classes(path)
+                                                         : topobag::saved_catalog(path);
+    if (kept) return adopted(given, *kept, path);
   }
   return given;
 }
 
 SavedMap read_saved_map(const std::string& path, const ObjectClasses& classes) {
-  if (is_fleet_address(path)) return read_fleet_map(path, classes.catalog);
+  if (is_fleet_address(path)) return read_fleet_map(path, classes);
   return kind_of(path) == MapKind::sqlite ? read_sqlite_map(path, described(classes))
                                           : read_snapshot(path, described(classes));
 }
@@ -196,8 +177,8 @@ void write_saved_map(const std::string& path, const std::string& session,
                      bool append) {
   if (is_fleet_address(path)) {
     const Bag entries = new_entries(Bag(), keyframes);
-    require_new(path, read_fleet_map(path, classes.catalog).bag, entries);
-    extend_fleet_map(path, session, entries, classes.catalog);
+    require_new(path, read_fleet_map(path, classes).bag, entries);
+    extend_fleet_map(path, session, entries, classes);
     return;
   }
   if (fs::is_directory(path)) throw InputError(path, "it is a folder; name a file in it");

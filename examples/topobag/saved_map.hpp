@@ -31,7 +31,7 @@ bool is_saved_map(const std::string& path);
 void require_sqlite_map(const std::string& path);
 
 /// The classes of the first of these maps that keeps its own, where none were asked for; else those
-/// given. Tables, and a fleet's maps, keep none. Throws topobag::Error.
+/// given. Tables keep none. Throws topobag::Error.
 ObjectClasses classes_of_maps(const std::vector<std::string>& paths, const ObjectClasses& given);
 
 /// Throws InputError for a file that is neither kind of map; topobag::Error for one that is

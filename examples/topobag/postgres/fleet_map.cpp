@@ -33,11 +33,38 @@ std::vector<std::string> sites_of(const FleetAddress& address, topobag::Postgres
   return address.sites.empty() ? known : address.sites;
 }
 
-topobag::FleetBag bag_of(const FleetAddress& address, const topobag::ClassCatalog& catalog) {
-  topobag::FleetOptions options;
-  options.catalog = topobag::fingerprint(catalog);
+/// What the first of the sites that says so keeps of its classes.
+std::optional<topobag::DescribedCatalog> kept_at(const std::vector<std::string>& sites,
+                                                 topobag::PostgresStore& store) {
+  for (const std::string& site : sites) {
+    if (auto kept = store.site_catalog(site)) return kept;
+  }
+  return std::nullopt;
+}
+
+/// Throws FormatError for a site that says something else of classes of the same names; those of
+/// other names are told by what is pushed or read.
+void require_same(const std::string& site, const topobag::DescribedCatalog& classes,
+                  topobag::PostgresStore& store) {
+  const auto kept = store.site_catalog(site);
+  if (!kept || topobag::fingerprint(kept->catalog) != topobag::fingerprint(classes.catalog)) return;
+  if (const auto what = topobag::difference(*kept, classes)) {
+    throw topobag::FormatError("site '" + site + "': " + *what +
+                               "; take the classes that it was made with");
+  }
+}
+
+topobag::FleetBag bag_of(const FleetAddress& address, const ObjectClasses& given) {
   topobag::PostgresStore store(address.conninfo);
-  return topobag::FleetBag({{address.conninfo, sites_of(address, store)}}, options);
+  const std::vector<std::string> sites = sites_of(address, store);
+  ObjectClasses classes = given;
+  if (may_adopt(given)) {
+    if (const auto kept = kept_at(sites, store)) classes = adopted(given, *kept, sites.front());
+  }
+  for (const std::string& site : sites) require_same(site, described(classes), store);
+  topobag::FleetOptions options;
+  options.catalog = topobag::fingerprint(classes.catalog);
+  return topobag::FleetBag({{address.conninfo, sites}}, options);
 }
 
 /// The site that a robot maps. Throws InputError unless the server has it.
@@ -59,8 +86,14 @@ std::string name_of(const topobag::FleetSession& session) {
 
 }  // namespace
 
-SavedMap read_fleet_map(const std::string& address, const topobag::ClassCatalog& catalog) {
-  topobag::FleetBag fleet = bag_of(parse_fleet_address(address), catalog);
+std::optional<topobag::DescribedCatalog> fleet_map_classes(const std::string& text) {
+  const FleetAddress address = parse_fleet_address(text);
+  topobag::PostgresStore store(address.conninfo);
+  return kept_at(sites_of(address, store), store);
+}
+
+SavedMap read_fleet_map(const std::string& address, const ObjectClasses& classes) {
+  topobag::FleetBag fleet = bag_of(parse_fleet_address(address), classes);
   fleet.follow();
   if (!fleet.refused().empty()) throw InputError(address, fleet.refused().front());
   const auto view = fleet.view();
@@ -81,11 +114,11 @@ SavedMap read_fleet_map(const std::string& address, const topobag::ClassCatalog&
 }
 
 void extend_fleet_map(const std::string& text, const std::string& session,
-                      const topobag::BagOfTopologyGraphs<>& entries,
-                      const topobag::ClassCatalog& catalog) {
+                      const topobag::BagOfTopologyGraphs<>& entries, const ObjectClasses& classes) {
   const FleetAddress address = parse_fleet_address(text);
   topobag::PostgresStore store(address.conninfo);
   const std::string site = only_site(address, store);
+  require_same(site, described(classes), store);
   const topobag::Uuid robot = robot_of(address).value_or(topobag::random_uuid());
   const topobag::Uuid run = topobag::random_uuid();
   std::vector<topobag::FleetVersion> versions;
@@ -93,19 +126,19 @@ void extend_fleet_map(const std::string& text, const std::string& session,
     topobag::FleetVersion version = topobag::version_of({site, robot, run, id}, info, graph);
     version.seq = static_cast<std::int64_t>(versions.size()) + 1;
     version.run = session;
-    version.catalog = topobag::fingerprint(catalog);
+    version.catalog = topobag::fingerprint(classes.catalog);
     versions.push_back(std::move(version));
   });
   store.append(versions);
 }
 
-void prepare_fleet(const FleetAddress& address, const topobag::ClassCatalog& catalog) {
+void prepare_fleet(const FleetAddress& address, const ObjectClasses& classes) {
   topobag::PostgresStore store(address.conninfo);
   store.prepare();
   const std::vector<std::string> names = store.site_names();
   std::set<std::string> known(names.begin(), names.end());
   for (const std::string& site : address.sites) {
-    if (known.insert(site).second) store.add_site(site, topobag::fingerprint(catalog));
+    if (known.insert(site).second) store.add_site(site, described(classes));
   }
 }
 
@@ -118,11 +151,16 @@ void admit_to_fleet(const FleetAddress& address, const std::string& role) {
 
 std::size_t push_to_fleet(const FleetAddress& address, const std::string& map) {
   topobag::PostgresStore store(address.conninfo);
-  topobag::enlist(map, only_site(address, store), robot_of(address));
+  const std::string site = only_site(address, store);
+  if (auto kept = topobag::sqlite_catalog(map)) {
+    kept->source = map;
+    require_same(site, *kept, store);
+  }
+  topobag::enlist(map, site, robot_of(address));
   return topobag::push(topobag::FleetOutbox(map), store);
 }
 
-void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& catalog,
+void follow_fleet(const FleetAddress& address, const ObjectClasses& classes,
                   std::optional<std::chrono::seconds> time,
                   const std::function<void(const std::string&)>& tell) {
   using Clock = std::chrono::steady_clock;
@@ -135,7 +173,7 @@ void follow_fleet(const FleetAddress& address, const topobag::ClassCatalog& cata
   };
   do {
     try {
-      if (!fleet) fleet.reset(new topobag::FleetBag(bag_of(address, catalog)));
+      if (!fleet) fleet.reset(new topobag::FleetBag(bag_of(address, classes)));
       fleet->follow();
       const auto view = fleet->view();
       tell_if_new(std::to_string(view->size()) + " key frames of " +

@@ -12,21 +12,22 @@ namespace {
 
 }  // namespace
 
-SavedMap read_fleet_map(const std::string&, const topobag::ClassCatalog&) { refuse(); }
+std::optional<topobag::DescribedCatalog> fleet_map_classes(const std::string&) { refuse(); }
 
-void extend_fleet_map(const std::string&, const std::string&,
-                      const topobag::BagOfTopologyGraphs<>&, const topobag::ClassCatalog&) {
+SavedMap read_fleet_map(const std::string&, const ObjectClasses&) { refuse(); }
+
+void extend_fleet_map(const std::string&, const std::string&, const topobag::BagOfTopologyGraphs<>&,
+                      const ObjectClasses&) {
   refuse();
 }
 
-void prepare_fleet(const FleetAddress&, const topobag::ClassCatalog&) { refuse(); }
+void prepare_fleet(const FleetAddress&, const ObjectClasses&) { refuse(); }
 
 void admit_to_fleet(const FleetAddress&, const std::string&) { refuse(); }
 
 std::size_t push_to_fleet(const FleetAddress&, const std::string&) { refuse(); }
 
-void follow_fleet(const FleetAddress&, const topobag::ClassCatalog&,
-                  std::optional<std::chrono::seconds>,
+void follow_fleet(const FleetAddress&, const ObjectClasses&, std::optional<std::chrono::seconds>,
                   const std::function<void(const std::string&)>&) {
   refuse();
 }
