@@ -20,7 +20,7 @@ set(shared ${CMAKE_CURRENT_LIST_DIR})
 set(program ${CMAKE_CURRENT_LIST_DIR}/../topobag)  # reads the node tables
 add_executable(rgbd_tum_semantic ${shared}/rgbd_tum_semantic.cpp ${shared}/semantic_slam.cpp
                ${program}/node_table.cpp ${program}/appearance_columns.cpp ${program}/depth_column.cpp
-               ${program}/csv_reader.cpp)
+               ${program}/label_column.cpp ${program}/csv_reader.cpp)
 target_include_directories(rgbd_tum_semantic PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${shared} ${program})
 target_include_directories(rgbd_tum_semantic SYSTEM PRIVATE
   ${host_root} ${host_root}/include ${host_includes} ${Pangolin_INCLUDE_DIRS})
