@@ -137,6 +137,11 @@ void bind_match_options(py::module_& module) {
   bind_layouts(module);
   bind_chance(module);
   bind_place_options(module);
+  Fields<ScaleRange>(module, "ScaleRange")
+      .field("least", &ScaleRange::least)
+      .field("greatest", &ScaleRange::greatest)
+      .field("max_tried", &ScaleRange::max_tried)
+      .field("max_deviation", &ScaleRange::max_deviation);
   Fields<MatchOptions>(module, "MatchOptions")
       .field("consistency", &MatchOptions::consistency)
       .field("chance", &MatchOptions::chance)
@@ -151,7 +156,8 @@ void bind_match_options(py::module_& module) {
       .field("min_spread", &MatchOptions::min_spread)
       .field("max_rotation_deviation", &MatchOptions::max_rotation_deviation)
       .field("distinct_translation", &MatchOptions::distinct_translation)
-      .field("distinct_rotation", &MatchOptions::distinct_rotation);
+      .field("distinct_rotation", &MatchOptions::distinct_rotation)
+      .field("scale", &MatchOptions::scale);
 }
 
 }  // namespace python

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <topobag/graph/scaled_graph.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/matching/rigid_fit.hpp>
 
@@ -71,6 +72,8 @@ void bind_pose(py::module_& module) {
   Attributes(pose, "RelativePose")
       .attribute("T_candidate_query", &RelativePose::T_candidate_query)
       .attribute("covariance", &RelativePose::covariance)
+      .attribute("scale", &RelativePose::scale)
+      .attribute("scale_deviation", &RelativePose::scale_deviation)
       .attribute("inliers", &inliers_of)
       .attribute("rms", &RelativePose::rms)
       .attribute("spread", &RelativePose::spread)
@@ -106,6 +109,7 @@ void bind_matching(py::module_& module) {
   module.def("match_graphs", &match_graphs<double>, py::arg("candidate"), py::arg("query"),
              py::arg_v("options", MatchOptions(), "MatchOptions()"),
              py::call_guard<py::gil_scoped_release>(), doc("match_graphs"));
+  module.def("scaled", &scaled<double>, py::arg("graph"), py::arg("factor"), doc("scaled"));
   py::class_<RigidFit> fit(module, "RigidFit", doc("RigidFit"));
   Attributes(fit, "RigidFit")
       .attribute("T_target_source", &RigidFit::T_target_source)

@@ -117,3 +117,16 @@ def test_no_graph_is_none(random):
         topobag.ClassHistogram().matrix([random_graph(random), None], [])
     with pytest.raises(topobag.InvalidValue, match="graph 0 is None"):
         topobag.ClassWeights.idf([None])
+
+
+@pytest.mark.parametrize("factor", [0.7, 1.6])
+def test_a_graph_in_another_unit_is_found_up_to_scale(random, factor):
+    graph = random_graph(random, 10)
+    other = topobag.scaled(graph, factor)
+    assert np.allclose(other.nodes.positions, factor * graph.nodes.positions)
+    options = topobag.MatchOptions(scale=topobag.ScaleRange())
+    found = topobag.match_graphs(graph, other, options).poses[0]
+    assert found.scale == pytest.approx(1.0 / factor, abs=3.0 * found.scale_deviation)
+    assert len(found.inliers) == 10
+    with pytest.raises(topobag.InvalidValue, match="scaled by a positive number"):
+        topobag.scaled(graph, 0.0)

@@ -13,7 +13,7 @@ namespace {
 
 using Covariance = Eigen::Matrix<double, 6, 6>;
 
-Covariance random_covariance(std::mt19937& random) {
+Covariance sixfold_covariance(std::mt19937& random) {
   std::normal_distribution<double> normal;
   const Covariance root = Covariance::NullaryExpr([&] { return normal(random); });
   return root * root.transpose() + 1e-3 * Covariance::Identity();
@@ -24,7 +24,7 @@ Covariance random_covariance(std::mt19937& random) {
 TEST_CASE("the factor of a covariance multiplies to it", "[cholesky]") {
   std::mt19937 random(5);
   for (int round = 0; round < 1000; ++round) {
-    const Covariance sigma = random_covariance(random);
+    const Covariance sigma = sixfold_covariance(random);
     const Covariance L = topobag::detail::cholesky(sigma);
     CHECK(L.isLowerTriangular());
     CHECK((L * L.transpose()).isApprox(sigma, 1e-10));
