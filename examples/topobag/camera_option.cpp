@@ -57,6 +57,24 @@ void require_principal_point(const topobag::PinholeCamera<>& camera) {
   throw InputError("--camera", why.str());
 }
 
+void require_focal_length(const topobag::PinholeCamera<>& camera) {
+  // Of the size: 157 degrees wide, more than any image without distortion, and 1.4 degrees. Lenses
+  // in mm lie below, px times ten or a hundred beyond.
+  constexpr double shortest = 0.1, longest = 40.0;
+  const auto require = [](const char* name, double focal, int size) {
+    if (focal >= shortest * size && focal <= longest * size) return;
+    const double degrees = 57.29577951308232;
+    std::ostringstream why;
+    why.precision(5);
+    const double view = 2.0 * degrees * std::atan(0.5 * size / focal);
+    why << name << ' ' << focal << " px is a field of view of " << std::round(10.0 * view) / 10.0
+        << "° over " << size << " px; give the focal length in px";
+    throw InputError("--camera", why.str());
+  };
+  require("fx", camera.fx, camera.width);
+  require("fy", camera.fy, camera.height);
+}
+
 CLI::Option* add_camera_option(CLI::App& command, const std::string& name,
                                topobag::PinholeCamera<>& camera, const std::string& description) {
   return command.add_option_function<std::string>(
@@ -77,7 +95,10 @@ topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageS
     camera.width = size.width;
     camera.height = size.height;
   }
-  if (camera.fx > 0.0) require_principal_point(camera);  // it was given
+  if (camera.fx > 0.0) {  // it was given
+    require_focal_length(camera);
+    require_principal_point(camera);
+  }
   return camera;
 }
 

@@ -25,6 +25,10 @@ CLI::Option* add_image_size_option(CLI::App& command, ImageSize& size);
 /// The camera, with `size` where it has none.
 topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageSize& size);
 
+/// Throws InputError where a focal length is that of no lens over the image, whose size is known:
+/// it is not in px.
+void require_focal_length(const topobag::PinholeCamera<>& camera);
+
 /// Throws InputError where the principal point lies outside the image, whose size is known: the
 /// intrinsics are of another image size.
 void require_principal_point(const topobag::PinholeCamera<>& camera);

@@ -45,6 +45,10 @@ NodeTable read_cluster_table(const std::string& set, const topobag::ClassCatalog
     cluster.confidence = csv.number(conf);
     cluster.centroid = centroid.read();
     cluster.extent = extent.read();
+    if (!(cluster.extent.minCoeff() >= 0.0)) {
+      throw csv.error(
+          "dx, dy and dz, the cluster's size, have to be positive, or 0 where not known");
+    }
     if (deviation) {
       const Eigen::Vector3d sigma = deviation->read();
       if (!(sigma.minCoeff() > 0.0)) throw csv.error("sx, sy and sz have to be positive");

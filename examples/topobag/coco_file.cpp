@@ -116,6 +116,10 @@ void require_pixels(const std::vector<CocoImage>& images) {
 
 std::vector<CocoImage> read_coco(const std::string& path, const topobag::ClassCatalog& catalog) {
   const std::string text = read_file(path);
+  const std::string_view beginning = topobag::trimmed(std::string_view(text).substr(0, 1000));
+  if (!beginning.empty() && std::string_view("{[\xEF").find(beginning.front()) == text.npos) {
+    throw InputError(path, "it is neither a folder of YOLO text files nor COCO's JSON");
+  }
   std::vector<CocoImage> images;
   std::size_t number = 0;
   try {

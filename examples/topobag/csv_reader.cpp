@@ -22,10 +22,15 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::string read_file(const std::string& path) {
-  if (std::filesystem::is_directory(path)) {
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none)) {
     throw InputError(path, "it is a folder; name a file in it");
   }
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
+  if (!file && errno != ENOENT && errno != 0) {
+    throw InputError(path, "the file cannot be opened: " + std::generic_category().message(errno));
+  }
   if (!file) throw InputError(path, "the file cannot be opened; check the path");
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (file.bad()) throw InputError(path, "the file cannot be read");
@@ -55,6 +60,22 @@ void write_files(const std::vector<std::pair<std::string, std::string>>& files) 
   }
   for (topobag::AtomicFile& file : written) file.commit();
 }
+
+namespace {
+
+/// The fields of a row between tabs alone, which blanks in a name do not part and which may be
+/// empty. None where it has no tab, or a comma.
+void split_at_tabs(std::string_view line, std::vector<std::string_view>& fields) {
+  fields.clear();
+  if (line.find('\t') == line.npos || line.find(',') != line.npos) return;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find('\t', begin), line.size());
+    fields.push_back(topobag::trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+}
+
+}  // namespace
 
 CsvReader::CsvReader(const std::string& path) : stream_(read_file(path)), lines_(stream_, path) {
   if (!read_line()) throw InputError(path, "the file is empty; a header row is needed");
@@ -114,7 +135,9 @@ bool CsvReader::read_line() {
   std::string_view line;
   if (!lines_.next(line)) return false;
   if (line.find('"') != std::string_view::npos) throw error("quoted fields are not supported");
-  topobag::TextLines::split(line, fields_);
+  split_at_tabs(line, fields_);
+  const bool parted = !header_.empty() && fields_.size() == header_.size();
+  if (!parted) topobag::TextLines::split(line, fields_);
   return true;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include <topobag/edges/delaunay_edges2.hpp>
@@ -17,7 +16,9 @@
 #include "cluster_table.hpp"
 #include "frame_poses.hpp"
 #include "input_error.hpp"
+#include "pose_units.hpp"
 #include "progress.hpp"
+#include "table_checks.hpp"
 #include "typical_sizes.hpp"
 
 namespace program {
@@ -46,14 +47,6 @@ Eigen::Isometry3d relative_pose(const FrameRow& previous, const FrameRow& curren
     }
   }
   return previous.T_world_camera->inverse() * *current.T_world_camera;
-}
-
-/// Which detections become nodes.
-topobag::LiftOptions lifting_of(const KeyframeOptions& options) {
-  topobag::LiftOptions lifting;
-  lifting.min_confidence = options.min_confidence;
-  lifting.keep = options.keep;
-  return lifting;
 }
 
 /// What a frame of the table shows.
@@ -90,65 +83,6 @@ topobag::TopologyGraph<> single_graph(topobag::KeyframeSighting seen, bool clust
   }
   return topobag::make_topology_graph(std::move(seen.nodes), topobag::DelaunayEdges2<>{},
                                       {std::move(seen.view)}, seen.gravity);
-}
-
-/// Throws where the boxes are not in pixels, or the centre of one lies outside the camera's image:
-/// both are not of one camera.
-void require_in_image(const std::string& set, const NodeTable& table,
-                      const topobag::PinholeCamera<>& camera) {
-  std::size_t boxes = 0, outside = 0;
-  double furthest = 0.0;
-  Eigen::Vector2d first = Eigen::Vector2d::Zero();
-  for (const FrameRow& frame : table.frames) {
-    for (const topobag::RangedDetection& detection : frame.detections) {
-      ++boxes;
-      furthest = std::max({furthest, detection.box.x2, detection.box.y2});
-      const Eigen::Vector2d center = detection.box.center();
-      if (camera.in_image(center, -0.5)) continue;
-      if (++outside == 1) first = center;
-    }
-  }
-  if (furthest > 0.0 && furthest <= 1.0) {
-    throw InputError(set_name(set) + ".nodes.csv",
-                     "every box lies in [0, 1], as shares of the image do; a table's are in px");
-  }
-  if (outside == 0) return;
-  std::ostringstream why;
-  why << outside << " of " << boxes << " boxes lie outside the camera's image of " << camera.width
-      << " x " << camera.height << " px, the first around " << first.x() << ", " << first.y()
-      << "; give --camera and --image-size of the table's images";
-  throw InputError(set_name(set) + ".nodes.csv", why.str());
-}
-
-/// Throws where no key frame can be matched, and says what became of the detections.
-void require_usable(const std::string& set, const NodeTable& table,
-                    const std::vector<Keyframe>& keyframes, const KeyframeOptions& options) {
-  if (std::any_of(keyframes.begin(), keyframes.end(),
-                  [](const Keyframe& keyframe) { return keyframe.graph.is_matchable(); })) {
-    return;
-  }
-  if (options.clusters) {
-    throw InputError(set_name(set) + ".clusters.csv",
-                     "none of the " + std::to_string(keyframes.size()) +
-                         " key frames has three clusters that stand still, in range and above "
-                         "--min-confidence");
-  }
-  topobag::DroppedDetections dropped;
-  std::size_t detections = 0;
-  for (const FrameRow& frame : table.frames) {
-    detections += frame.detections.size();
-    dropped += topobag::lift_detections(frame.detections, options.camera, options.classes.catalog,
-                                        lifting_of(options))
-                   .dropped;
-  }
-  std::ostringstream why;
-  why << "none of the " << keyframes.size() << " key frames has three objects with a position; of "
-      << detections << " detections in the table " << dropped.low_confidence
-      << " are below --min-confidence, " << dropped.dynamic << " move by themselves, "
-      << dropped.no_depth << " have no depth, " << dropped.out_of_range << " are out of range, "
-      << dropped.too_large << " too large, " << dropped.invalid << " not valid, "
-      << dropped.duplicate << " seen twice";
-  throw InputError(set_name(set) + ".nodes.csv", why.str());
 }
 
 /// What stands still of a map of objects, as its one key frame.
@@ -200,6 +134,8 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
   NodeTable table = options.clusters ? read_cluster_table(set, options.classes.catalog)
                                      : read_node_table(set, options.classes.catalog);
   if (!options.trajectory.empty()) take_poses(options.trajectory, table.frames);
+  require_metres(options.trajectory.empty() ? set_name(set) + ".frames.csv" : options.trajectory,
+                 table.frames);
   if (options.clusters) {
     const TableStress& stress = options.stress;
     if (stress.depth_noise > 0.0 || stress.drop > 0.0 || stress.flip > 0.0) {
@@ -210,7 +146,7 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
       if (auto& T = frame.T_world_camera) T = *T * topobag::T_graph_forward_left_up().inverse();
     }
   } else {
-    require_in_image(set, table, options.camera);
+    require_in_image(set, table, options);
     disbelieve_depths(options.camera, options.classes.sizes, table.frames);
   }
   apply(options.stress, table);

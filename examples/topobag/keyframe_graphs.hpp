@@ -33,6 +33,7 @@ struct KeyframeOptions {
   bool matchable = true;       ///< `read_keyframes` wants a graph that can be matched
   ObjectClasses classes{};     ///< of the table's objects
   ObjectMapOptions objects{};  ///< where a map of objects stands in place of a table
+  std::string size_options = "--camera and --image-size";  ///< that tell of the table's images
 };
 
 /// The key frames of a table: for k = 0, 1, … the first frame at or after t0 + k · interval, each

@@ -85,6 +85,7 @@ RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions opt
   options.camera = with_size(options.camera, image_size);
   KeyframeOptions map_options = options;
   if (tables.map_camera.fx > 0.0) map_options.camera = with_size(tables.map_camera, image_size);
+  map_options.size_options = "--map-camera with its width and height";
   if (tables.map_world_up) map_options.gravity.world_up = tables.map_world_up;
   map_options.trajectory = tables.map_trajectory;
   options.stress.stream = map_options.stress.stream + 1;

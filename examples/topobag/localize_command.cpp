@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +13,7 @@
 #include "look_up.hpp"
 #include "match_svg.hpp"
 #include "number_check.hpp"
+#include "option_use.hpp"
 #include "output_files.hpp"
 #include "recognition_options.hpp"
 #include "report/recognition_page.hpp"
@@ -28,23 +31,44 @@ struct LocalizeArguments {
   CalibrationArguments calibration;
 };
 
+/// Whether the queries know which way is down and no key frame of the map does.
+bool lacks_vertical(const LocalizeArguments& arguments, const RecognitionRun& run) {
+  if (!arguments.recognition.keyframes.gravity.world_up) return false;
+  return std::none_of(run.map.begin(), run.map.end(), [](const Keyframe& keyframe) {
+    return keyframe.graph.gravity().has_value();
+  });
+}
+
+/// Throws InputError where an option is given that this run has no use for.
+void require_uses(const CLI::App& command, const LocalizeArguments& arguments) {
+  require_object_options(command, {arguments.tables.map, arguments.tables.query});
+  require_with(command, "--gravity-noise", {"--world-up", "--map-world-up"});
+  topobag::parse_protocol(arguments.report.protocol);
+  require_with(command, "--protocol", {"--report", "--report-data", "--pairs"});
+}
+
 void localize(const LocalizeArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
-  topobag::parse_protocol(arguments.report.protocol);
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
+  run.before_thinning = run.queries.size();
   run.queries = thinned(run.queries, common.query_interval);
   if (arguments.unknown_scale) run.scale = topobag::ScaleRange{};
   run.kept = kept_for(arguments.report);
   look_up_in_map(run, calibration_request(arguments.calibration, common, run.classes),
                  arguments.leave_out_radius);
-  require_queries(run);
+  require_queries(run, arguments.leave_out_radius
+                           ? "a key frame farther away than --leave-out-radius"
+                           : "a usable key frame of the map");
   run.in_map = count_in_map(run);
   save_calibration(arguments.calibration, run);
   score(run, common.scoring);
   if (!arguments.svg.empty()) write_file(arguments.svg, match_svg(run));
   write_recognition_report(run, common, arguments.report);
   print_report(run, common);
+  if (!common.json && lacks_vertical(arguments, run)) {
+    std::cout << "  vertical      the map knows of none, so that --world-up changes nothing\n";
+  }
 }
 
 }  // namespace
@@ -54,8 +78,10 @@ void add_localize_command(CLI::App& app) {
       *app.add_subcommand("localize", "Looks the key frames of one node table up in another");
   const auto arguments = std::make_shared<LocalizeArguments>();
   command
-      .add_option("--map", arguments->tables.map,
-                  "Table of the map (MAP.frames.csv, MAP.nodes.csv), or what `map` made of one")
+      .add_option(
+          "--map", arguments->tables.map,
+          "Table of the map (MAP.frames.csv, MAP.nodes.csv), what `map` made of one, or another "
+          "system's map of objects, JSON")
       ->required();
   command.add_option("--query", arguments->tables.query, "Table of the key frames to look up")
       ->required();
@@ -64,7 +90,7 @@ void add_localize_command(CLI::App& app) {
   command
       .add_option("--leave-out-radius", arguments->leave_out_radius,
                   "Look a key frame up without the map's that are nearer to it, m: its own place "
-                  "is then not in the map")
+                  "is then not in the map [none is left out]")
       ->check(number_within(0.0));
   command.add_flag("--unknown-scale", arguments->unknown_scale,
                    "The query's lengths are in an unknown unit, of a quarter to four of the map's "
@@ -72,7 +98,10 @@ void add_localize_command(CLI::App& app) {
   add_output_option(command, "--svg", arguments->svg, "File to draw the best accepted match in");
   add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);
-  command.callback([arguments] { localize(*arguments); });
+  command.callback([arguments, &command] {
+    require_uses(command, *arguments);
+    localize(*arguments);
+  });
 }
 
 }  // namespace program

@@ -13,6 +13,7 @@
 #include <topobag/recognition/place_score.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 
+#include "input_error.hpp"
 #include "progress.hpp"
 #include "stopwatch.hpp"
 
@@ -82,6 +83,18 @@ QueryRecord timed(KeptCandidates kept, const Recognize& recognize) {
   return record;
 }
 
+/// Throws InputError where key frames that shall be of other places are the map's own.
+void require_elsewhere(const RecognitionRun& run, const std::vector<Keyframe>& other_places) {
+  RecognitionRun own;
+  own.map = run.map;
+  own.queries = other_places;
+  const std::size_t count = count_in_map(own);
+  if (count == 0) return;
+  throw InputError("--other-place", std::to_string(count) + " of its " +
+                                        std::to_string(other_places.size()) +
+                                        " key frames are the map's own, which are no other place");
+}
+
 /// Learns from the map of a run.
 /// @param min_gap  s; a key frame with a pose is not looked up among those nearer in time
 topobag::Calibration learn(const RecognitionRun& run, const std::vector<Keyframe>& other_places,
@@ -92,13 +105,14 @@ topobag::Calibration learn(const RecognitionRun& run, const std::vector<Keyframe
   const auto usable =
       std::count_if(other_places.begin(), other_places.end(),
                     [](const Keyframe& other) { return other.graph.is_matchable(); });
-  Progress progress(ids.size(), "queries to learn from");
   topobag::CalibrateOptions options;
-  options.on_query = [&] { progress.step(); };
   if (min_gap) options.by_pose.min_time_gap = *min_gap;
   if (static_cast<std::size_t>(usable) >= options.calibration.min_negatives) {
     options.null_queries = 0;
   }
+  // A null model is only asked where the map's poses do not tell enough, which turns out later.
+  Progress progress(ids.size() + options.null_queries, "queries to learn from at most");
+  options.on_query = [&] { progress.step(); };
   topobag::Calibration calibration = topobag::calibrate(relocalizer, ids, {}, options);
   const auto open = topobag::without_threshold(relocalizer.options());
   for (const Keyframe& other : other_places) {
@@ -117,6 +131,7 @@ topobag::RecognitionOptions decided_options(RecognitionRun& run, const Calibrati
   if (request.learnt) {
     run.calibrated = {request.false_accept_rate, *request.learnt};
   } else if (request.learn) {
+    require_elsewhere(run, request.other_places);
     run.calibrated = {request.false_accept_rate, learn(run, request.other_places, min_gap)};
   }
   if (run.calibrated) options.decision.calibration = run.calibrated->calibration;

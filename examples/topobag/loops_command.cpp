@@ -11,6 +11,7 @@
 #include "look_up.hpp"
 #include "match_svg.hpp"
 #include "number_check.hpp"
+#include "option_use.hpp"
 #include "output_files.hpp"
 #include "recognition_options.hpp"
 #include "report/recognition_page.hpp"
@@ -30,8 +31,8 @@ struct LoopsArguments {
 void find_loops(const LoopsArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
-  topobag::parse_protocol(arguments.report.protocol);
   RecognitionRun run = read_sequence(arguments.nodes, common.keyframes, common.image_size);
+  run.before_thinning = run.queries.size();
   run.queries = thinned(run.queries, common.query_interval);
   run.kept = kept_for(arguments.report);
   look_up_earlier(run, arguments.min_gap,
@@ -61,7 +62,13 @@ void add_loops_command(CLI::App& app) {
   add_output_option(command, "--svg", arguments->svg, "File to draw the best loop in");
   add_calibration_options(command, arguments->calibration);
   add_recognition_report_options(command, arguments->report);
-  command.callback([arguments] { find_loops(*arguments); });
+  command.callback([arguments, &command] {
+    require_object_options(command, {arguments->nodes});
+    require_with(command, "--gravity-noise", {"--world-up"});
+    topobag::parse_protocol(arguments->report.protocol);
+    require_with(command, "--protocol", {"--report", "--report-data", "--pairs"});
+    find_loops(*arguments);
+  });
 }
 
 }  // namespace program

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <topobag/types/utf8.hpp>
 
 #include "commands.hpp"
 #include "fleet_address.hpp"
 #include "keyframe_options.hpp"
+#include "map_kind.hpp"
+#include "option_use.hpp"
 #include "output_files.hpp"
 #include "saved_map.hpp"
 
@@ -23,8 +29,29 @@ struct MapArguments {
   ImageSize image_size;
 };
 
+/// Which frames became no key frame, and which key frames nothing can be matched with; empty where
+/// all did and can.
+std::string left_out_text(const MapArguments& arguments, const std::vector<Keyframe>& keyframes) {
+  std::ostringstream text;
+  const std::size_t frames =
+      is_object_map(arguments.nodes) ? 1 : read_frames(arguments.nodes).size();
+  if (frames > keyframes.size()) {
+    text << arguments.out << ": " << frames - keyframes.size() << " of " << frames
+         << " frames left out, nearer than --keyframe-interval " << arguments.keyframes.interval
+         << " s\n";
+  }
+  const auto unusable =
+      std::count_if(keyframes.begin(), keyframes.end(),
+                    [](const Keyframe& keyframe) { return !keyframe.graph.is_matchable(); });
+  if (unusable > 0) {
+    text << arguments.out << ": " << unusable << " of " << keyframes.size()
+         << " key frames are not usable, with fewer than three objects with a position\n";
+  }
+  return text.str();
+}
+
 void make_map(const MapArguments& arguments) {
-  if (!is_fleet_address(arguments.out)) require_folder("--out", arguments.out);
+  if (!is_fleet_address(arguments.out)) require_file("--out", arguments.out);
   topobag::require_utf8(arguments.session, "--session");
   KeyframeOptions options = arguments.keyframes;
   const bool goes_on = arguments.append || is_fleet_address(arguments.out);
@@ -35,7 +62,8 @@ void make_map(const MapArguments& arguments) {
       arguments.session.empty() ? name_of(set_name(arguments.nodes)) : arguments.session;
   write_saved_map(arguments.out, session, keyframes, options.classes, arguments.append);
   std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
-            << " added\n";
+            << " added to the " << map_kind_text(arguments.out) << '\n'
+            << left_out_text(arguments, keyframes);
   if (!arguments.session.empty() && !keeps_session_names(arguments.out)) {
     std::cout << arguments.out << ": a snapshot keeps no names of sessions, and so not "
               << arguments.session << "; a map FILE.db does\n";
@@ -60,7 +88,11 @@ void add_map_command(CLI::App& app) {
                      "Name of the run [that of the table]; a snapshot keeps none");
   command.add_flag("--append", arguments->append, "Go on mapping where there is a map");
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
-  command.callback([arguments] { make_map(*arguments); });
+  command.callback([arguments, &command] {
+    require_object_options(command, {arguments->nodes});
+    require_with(command, "--gravity-noise", {"--world-up"});
+    make_map(*arguments);
+  });
 }
 
 }  // namespace program

@@ -168,7 +168,10 @@ MapRelation read_relation(const std::string& path, const topobag::ClassCatalog& 
   const std::string text = read_file(path);
   MapRelation relation;
   try {
-    const Json file = Json::parse(text);
+    const Json file = Json::parse(text, nullptr, false);
+    const bool whole = file.is_object() && file.contains("scale") && file.contains("deviation") &&
+                       file.contains("classes");
+    if (!whole) throw InputError("it is no relation, as `topobag relate` writes one");
     relation.scale = file.at("scale").get<double>();
     relation.deviation = file.at("deviation").get<double>();
     if (!(relation.scale > 0.0 && relation.deviation > 0.0)) {

@@ -13,8 +13,11 @@
 #include <topobag/recognition/align_maps.hpp>
 
 #include "commands.hpp"
+#include "fleet_address.hpp"
 #include "input_error.hpp"
 #include "object_classes.hpp"
+#include "output_files.hpp"
+#include "progress.hpp"
 #include "saved_map.hpp"
 
 namespace program {
@@ -54,7 +57,20 @@ std::string in_words(const topobag::PoseWithCovariance<>& pose) {
   return text.str();
 }
 
+/// Throws InputError where a map has no usable key frame with a pose: it lies nowhere.
+void require_place(const std::string& path, const topobag::BagOfTopologyGraphs<>& bag) {
+  bool placed = false;
+  bag.for_each([&](topobag::KeyframeId, const topobag::EntryInfo& info, const auto& graph) {
+    placed = placed || (info.T_world_camera && graph.is_matchable());
+  });
+  if (!placed) throw InputError(path, why(topobag::AlignmentVerdict::no_poses));
+}
+
 void merge_maps(const MergeArguments& arguments) {
+  if (is_fleet_address(arguments.out)) {
+    throw InputError("--out", "merge writes a file, which `topobag fleet push` sends to a server");
+  }
+  require_file("--out", arguments.out);
   if (std::filesystem::exists(arguments.out)) {
     throw InputError(arguments.out, "it exists; give another name");
   }
@@ -62,8 +78,13 @@ void merge_maps(const MergeArguments& arguments) {
       classes_of_maps({arguments.map, arguments.other}, arguments.classes);
   SavedMap map = read_saved_map(arguments.map, classes);
   const SavedMap other = read_saved_map(arguments.other, classes);
+  require_place(arguments.map, map.bag);
+  require_place(arguments.other, other.bag);
+  require_new(arguments.map, map.bag, other.bag);
   topobag::AlignOptions options;
   options.recognition = recognition_options_for(classes);
+  Progress progress(std::min(options.max_keyframes, other.bag.size()), "key frames looked up");
+  options.on_query = [&] { progress.step(); };
   const topobag::MapAlignment alignment = topobag::align_maps(map.bag, other.bag, options);
   const std::string counts = std::to_string(alignment.agreeing) + " of " +
                              std::to_string(alignment.asked) + " key frames agree, " +
@@ -98,6 +119,7 @@ void add_merge_command(CLI::App& app) {
                   "Map to write: FILE.db for a durable one on SQLite, else a snapshot")
       ->required();
   add_classes_option(command, arguments->classes);
+  add_progress_option(command);
   command.callback([arguments] { merge_maps(*arguments); });
 }
 

@@ -15,6 +15,7 @@
 #include "csv_reader.hpp"
 #include "depth_column.hpp"
 #include "label_column.hpp"
+#include "path_kind.hpp"
 
 namespace program {
 namespace {
@@ -142,7 +143,7 @@ void write_pose(std::ostream& out, const std::optional<Eigen::Isometry3d>& T_wor
 }  // namespace
 
 std::string set_name(const std::string& path) {
-  for (const std::string ending : {".frames.csv", ".nodes.csv"}) {
+  for (const std::string ending : {".frames.csv", ".nodes.csv", ".clusters.csv"}) {
     const bool ends = path.size() > ending.size() &&
                       path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
     if (ends) return path.substr(0, path.size() - ending.size());
@@ -152,7 +153,11 @@ std::string set_name(const std::string& path) {
 
 std::vector<FrameRow> read_frames(const std::string& set) {
   const std::string path = frames_file(set);
-  if (std::filesystem::is_regular_file(set) && !std::filesystem::exists(path)) {
+  const PathKind kind = path_kind(set);
+  if (kind == PathKind::folder) {
+    throw InputError(set, "it is a folder; name SET of SET.frames.csv and SET.nodes.csv in it");
+  }
+  if (kind != PathKind::table && kind != PathKind::nothing && kind != PathKind::unreadable) {
     throw InputError(set,
                      "it is no table, which is two files; name SET of SET.frames.csv and "
                      "SET.nodes.csv");

@@ -45,7 +45,7 @@ struct NodeTable {
 /// Reads `set`.frames.csv. Throws topobag::Error with the file and the line.
 std::vector<FrameRow> read_frames(const std::string& set);
 
-/// The name of a table; either of its two files stands for it.
+/// The name of a table; each of its files stands for it.
 std::string set_name(const std::string& path);
 
 /// Reads `set`.frames.csv and `set`.nodes.csv. Classes go by their name; class_id, where given,

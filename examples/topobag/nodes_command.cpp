@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -8,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include <topobag/sensing/lift_detections.hpp>
 #include <topobag/types/catalog_fingerprint.hpp>
 
 #include "box_files.hpp"
@@ -18,6 +19,7 @@
 #include "detect_nodes.hpp"
 #include "input_error.hpp"
 #include "name_check.hpp"
+#include "nodes_tally.hpp"
 #include "number_check.hpp"
 #include "object_classes.hpp"
 #include "output_files.hpp"
@@ -63,56 +65,32 @@ std::string appearance_complaint(std::string& text) {
   return "'" + text + "' is none of none, color and layer:NAME";
 }
 
-/// "12 of one kind, 1 of another", those that are not 0; "nothing" where all are.
-std::string counts_text(const std::vector<std::pair<std::size_t, const char*>>& counts) {
-  std::string text;
-  for (const auto& [count, kind] : counts) {
-    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + kind;
+/// Throws InputError where a whole table would be written over. The same command goes on with one
+/// that it was ended in.
+void require_no_table(const std::string& out) {
+  if (std::filesystem::exists(set_name(out) + ".partial.json")) return;
+  for (const char* ending : {".frames.csv", ".nodes.csv"}) {
+    const std::string path = set_name(out) + ending;
+    if (!std::filesystem::is_regular_file(path)) return;
+    std::string header;
+    std::getline(std::ifstream(path), header);
+    if (header.rfind("idx,", 0) != 0) return;
   }
-  return text.empty() ? "nothing" : text;
+  throw InputError("--out " + out, "the table exists; give another name");
 }
 
-/// What was made of a sequence and what was not, and how many nodes the library's defaults make.
-struct NodesTally {
-  std::size_t frames = 0, without_pose = 0, detections = 0, nodes = 0;
-  topobag::DroppedDetections dropped;
-
-  NodesTally(const NodeTable& table, const topobag::PinholeCamera<>& camera,
-             const topobag::ClassCatalog& catalog)
-      : frames(table.frames.size()) {
-    for (const FrameRow& frame : table.frames) {
-      const auto lifted = topobag::lift_detections(frame.detections, camera, catalog);
-      if (!frame.T_world_camera) ++without_pose;
-      detections += frame.detections.size();
-      nodes += lifted.nodes.size();
-      dropped += lifted.dropped;
-    }
+/// Throws InputError where nothing was detected, and says what may be why.
+void require_detections(const NodesOptions& options, const NodesTally& tally,
+                        const std::string& left_out) {
+  if (tally.detections > 0) return;
+  std::ostringstream why;
+  why << "there is no detection in the " << tally.frames << " images";
+  if (!options.model.empty()) {
+    why << " above --min-confidence " << options.yolo.min_confidence
+        << " (is --head that of the network?)";
   }
-};
-
-std::string left_out_text(const RgbdSequence& sequence, const DetectionSource& source,
-                          const DetectedNodes& detected) {
-  const ImageBoxes none;
-  const ImageBoxes& boxes = source.boxes ? *source.boxes : none;
-  return counts_text({{sequence.without_depth, "images without a depth image"},
-                      {boxes.without_boxes, "images without boxes"},
-                      {boxes.other_images, "images that the sequence does not have"},
-                      {boxes.empty, "boxes of no size"},
-                      {detected.outside, "boxes outside the image"}});
-}
-
-std::string summary(const std::string& set, const NodesTally& tally, const std::string& left_out) {
-  std::ostringstream text;
-  const topobag::DroppedDetections& dropped = tally.dropped;
-  text << set << ": " << tally.frames << " frames, " << tally.detections
-       << " detections; with the default filter " << tally.nodes
-       << " nodes (left out: " << dropped.invalid << " not valid, " << dropped.low_confidence
-       << " of low confidence, " << dropped.dynamic << " dynamic, " << dropped.too_large
-       << " too large, " << dropped.no_depth << " without depth, " << dropped.out_of_range
-       << " out of range, " << dropped.duplicate << " seen twice)\n"
-       << "not in the table: " << left_out << "; frames without a pose: " << tally.without_pose
-       << '\n';
-  return text.str();
+  why << "; left out: " << left_out;
+  throw InputError(options.model + options.boxes, why.str());
 }
 
 /// All that the detections depend on.
@@ -137,6 +115,10 @@ std::string text_of(const NodesOptions& options) {
 void make_nodes(const NodesOptions& options) {
   const topobag::ClassCatalog& catalog = options.classes.catalog;
   require_folder("--out", options.out);
+  require_no_table(options.out);
+  if (std::filesystem::is_directory(options.model)) {
+    throw InputError(options.model, "it is a folder; name an ONNX file");
+  }
   DetectionSource source{
       options.model,
       options.yolo,
@@ -159,20 +141,11 @@ void make_nodes(const NodesOptions& options) {
       detect_nodes(sequence.frames, source, options.depth_scale, camera, checkpoint);
   const NodesTally tally(detected.table, camera, catalog);
   const std::string left_out = left_out_text(sequence, source, detected);
-  if (tally.detections == 0) {
-    throw InputError(options.model + options.boxes, "there is no detection in the " +
-                                                        std::to_string(tally.frames) +
-                                                        " images; left out: " + left_out);
-  }
-  if (tally.dropped.out_of_range > 0 &&
-      tally.dropped.out_of_range + tally.dropped.no_depth == tally.detections) {
-    throw InputError("--depth-scale", "none of the " + std::to_string(tally.detections) +
-                                          " detections has a depth in range; give the depth value "
-                                          "that means one metre");
-  }
+  require_detections(options, tally, left_out);
+  require_depths(tally, detected.table);
   write_node_table(options.out, detected.table, catalog);
   checkpoint.remove();
-  std::cout << summary(options.out, tally, left_out);
+  std::cout << nodes_summary(options.out, tally, left_out);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 #include <topobag/edges/knn_edges.hpp>
@@ -43,7 +44,9 @@ topobag::ClassId label_numbered(const std::string& text, const topobag::ClassCat
     const topobag::ClassId label{first + static_cast<int>(*number)};
     if (catalog.contains(label)) return label;
   }
-  throw InputError("the class " + text + " is the number of none");
+  throw InputError("the class " + text + " is the number of none of the " +
+                   std::to_string(static_cast<int>(catalog.size()) - first) +
+                   "; name the map's own classes by --map-words");
 }
 
 MappedObject mapped_object(const Json& node, const topobag::ClassCatalog& catalog, int first) {
@@ -90,7 +93,8 @@ topobag::ClassId MappedObject::label() const {
 }
 
 bool is_object_map(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) return false;
+  std::error_code unreadable;
+  if (!std::filesystem::is_regular_file(path, unreadable)) return false;
   std::ifstream file(path, std::ios::binary);
   char first = '\0';
   return file >> first && first == '{';

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "output_files.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <vector>
 
 #include "input_error.hpp"
+#include "path_kind.hpp"
 
 namespace program {
 namespace {
@@ -29,7 +35,7 @@ bool are_same(const fs::path& a, const fs::path& b) {
 /// Whether an option that says `value` speaks of the file, which may be half of a table.
 bool means(const std::string& value, const fs::path& file) {
   return are_same(value, file) || are_same(value + ".frames.csv", file) ||
-         are_same(value + ".nodes.csv", file);
+         are_same(value + ".nodes.csv", file) || are_same(value + ".clusters.csv", file);
 }
 
 }  // namespace
@@ -40,9 +46,29 @@ CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::
 }
 
 void require_folder(const std::string& option, const std::string& file) {
-  const fs::path folder = fs::path(file).parent_path();
-  if (folder.empty() || fs::is_directory(folder)) return;
-  throw InputError(option + ' ' + file, "the folder does not exist; make it first");
+  std::error_code none;
+  if (fs::path(file).filename().empty()) {
+    throw InputError(option + ' ' + file, "it is a folder; name a file in it");
+  }
+  const fs::path parent = fs::path(file).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  if (!fs::is_directory(folder, none)) {
+    throw InputError(option + ' ' + file, "the folder does not exist; make it first");
+  }
+  if (fs::exists(file, none) && !fs::is_regular_file(file, none)) return;  // such as a device
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    const int reason = errno;
+    throw InputError(option + ' ' + file, "it cannot be written into its folder: " +
+                                              std::generic_category().message(reason));
+  }
+}
+
+void require_file(const std::string& option, const std::string& file) {
+  require_folder(option, file);
+  std::error_code none;
+  if (fs::is_directory(file, none)) {
+    throw InputError(option + ' ' + file, "it is a folder; name a file in it");
+  }
 }
 
 void require_outputs(const CLI::App& command) {
@@ -50,14 +76,20 @@ void require_outputs(const CLI::App& command) {
   for (const CLI::Option* output : options) {
     if (output->get_group() != output_group || output->empty()) continue;
     const fs::path file = output->results().front();
-    require_folder(output->get_name(), file.string());
+    require_file(output->get_name(), file.string());
     if (fs::exists(file) && !fs::is_regular_file(file)) continue;
+    const PathKind kind = path_kind(file.string());
     for (const CLI::Option* other : options) {
       if (other == output || other->empty() || other->get_type_name() != "TEXT") continue;
-      if (means(other->results().front(), file)) {
+      const std::vector<std::string>& named = other->results();
+      if (std::any_of(named.begin(), named.end(),
+                      [&](const std::string& value) { return means(value, file); })) {
         throw InputError(output->get_name() + ' ' + file.string(),
                          "the file is also that of " + other->get_name() + "; give another name");
       }
+    }
+    if (kind == PathKind::sqlite_map || kind == PathKind::snapshot) {
+      throw InputError(output->get_name() + ' ' + file.string(), "it is a map; give another name");
     }
   }
 }

@@ -11,11 +11,16 @@ namespace program {
 CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& file,
                                const std::string& description);
 
-/// Throws InputError where the folder of a file, which an option names, does not exist.
+/// Throws InputError where the folder of a file, which an option names, does not exist or cannot be
+/// written into, and where no file is named.
 void require_folder(const std::string& option, const std::string& file);
 
+/// The same, and where the file is a folder itself.
+void require_file(const std::string& option, const std::string& file);
+
 /// Throws InputError, before any work is done, where a file to write has no folder, or is one that
-/// another option of the command reads or writes. Devices may be named more than once.
+/// another option of the command reads or writes, or a saved map, which pages and lists are not
+/// written over. Devices may be named more than once.
 void require_outputs(const CLI::App& command);
 
 }  // namespace program

@@ -32,7 +32,7 @@ void add_recognition_options(CLI::App& command, RecognitionArguments& arguments)
                    "between them that most accepted matches agree on");
   command
       .add_option("--place-radius", arguments.scoring.place_radius,
-                  "A match with a key frame whose camera was farther away is wrong, m")
+                  "A match with a key frame whose camera was farther away is wrong, m [no limit]")
       ->check(number_within(0.0));
   command.add_flag("--json", arguments.json, "Report in JSON");
   command.add_flag("--verbose", arguments.verbose, "A line for each key frame")->excludes("--json");

@@ -39,19 +39,21 @@ std::string name_of(const std::string& set) {
   return std::filesystem::path(set).filename().string();
 }
 
-void require_queries(const RecognitionRun& run) {
+void require_queries(const RecognitionRun& run, const std::string& lacking) {
   std::size_t unusable = 0;
   for (const QueryRecord& record : run.records) {
     if (record.is_query()) return;
     if (!record.recognition.usable) ++unusable;
   }
   const std::size_t all = run.records.size();
-  throw InputError(run.query_set,
-                   "none of the " + std::to_string(all) +
-                       " key frames could be looked up: " + std::to_string(unusable) +
-                       " have no usable graph, " + std::to_string(all - unusable) +
-                       " nothing to compare with, such as a key frame that is older "
-                       "by --min-gap");
+  const std::string thinned =
+      all < run.before_thinning
+          ? ", which --query-interval leaves of " + std::to_string(run.before_thinning) + ','
+          : "";
+  throw InputError(run.query_set, "none of the " + std::to_string(all) + " key frames" + thinned +
+                                      " could be looked up: " + std::to_string(unusable) +
+                                      " have no usable graph, " + std::to_string(all - unusable) +
+                                      " nothing to compare with, such as " + lacking);
 }
 
 std::size_t count_in_map(const RecognitionRun& run) {

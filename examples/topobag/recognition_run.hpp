@@ -76,6 +76,8 @@ struct RecognitionRun {
   /// From the queries' world to the map's, where they are two (`align_worlds`); how many of the
   /// accepted matches were correct by it says how far to believe it.
   std::optional<Eigen::Isometry3d> T_map_query_world{};
+
+  std::size_t before_thinning = 0;  ///< queries before `--query-interval`; 0 = not thinned
 };
 
 /// The name of a table without its folder.
@@ -86,7 +88,9 @@ std::string name_of(const std::string& set);
 void require_poses(const RecognitionRun& run, const std::string& option);
 
 /// Throws InputError where no key frame could be looked up, and says why.
-void require_queries(const RecognitionRun& run);
+/// @param lacking  what there is nothing to compare with without
+void require_queries(const RecognitionRun& run,
+                     const std::string& lacking = "a key frame that is older by --min-gap");
 
 /// How many of the queries are among the map's key frames: of one time and one graph, as files keep
 /// it. They find themselves.

@@ -11,7 +11,9 @@
 #include "input_error.hpp"
 #include "keyframe_options.hpp"
 #include "map_relation.hpp"
+#include "option_use.hpp"
 #include "output_files.hpp"
+#include "path_kind.hpp"
 
 namespace program {
 namespace {
@@ -25,7 +27,13 @@ struct RelateArguments {
 };
 
 void relate(const RelateArguments& arguments) {
-  require_folder("--out", arguments.out);
+  require_object_map(arguments.map, "relate");
+  if (path_kind(arguments.query) == PathKind::object_map) {
+    throw InputError(
+        arguments.query,
+        "it is a map of objects; --query is the table of a run, to learn what the map's "
+        "objects are called there");
+  }
   KeyframeOptions options = arguments.keyframes;
   options.camera = with_size(options.camera, arguments.image_size);
   const auto objects = read_object_map(arguments.map, options.classes.catalog,
@@ -71,9 +79,14 @@ void add_relate_command(CLI::App& app) {
       .add_option("--query", arguments->query,
                   "Table of a run; the objects of its last key frame's --window are compared")
       ->required();
-  command.add_option("--out", arguments->out, "Relation to write, JSON")->required();
+  add_output_option(command, "--out", arguments->out, "Relation to write, JSON")->required();
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
-  command.callback([arguments] { relate(*arguments); });
+  command.callback([arguments, &command] {
+    require_without(command, {"--object-scale", "--object-deviation", "--map-relation"},
+                    "it is what relate learns; leave it out");
+    require_with(command, "--gravity-noise", {"--world-up"});
+    relate(*arguments);
+  });
 }
 
 }  // namespace program

@@ -70,6 +70,8 @@ RgbdSequence read_pairs(const fs::path& folder) {
     for (const auto& row : read_list(folder / "associations.txt", 2)) {
       frames.push_back({row[0].timestamp, row[0].path, row[1].path, std::nullopt});
     }
+  } else if (!fs::exists(folder)) {
+    throw InputError(folder.string(), "there is no such folder");
   } else if (!fs::exists(folder / "depth.txt") && !fs::exists(folder / "rgb.txt")) {
     throw InputError(folder.string(),
                      "it is no sequence in the TUM RGB-D layout, which has associations.txt, or "

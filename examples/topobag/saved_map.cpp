@@ -2,11 +2,12 @@
 #include "saved_map.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include <topobag/bag/graph_codec.hpp>
@@ -18,6 +19,8 @@
 #include "fleet_address.hpp"
 #include "fleet_map.hpp"
 #include "input_error.hpp"
+#include "map_kind.hpp"
+#include "path_kind.hpp"
 #include "sqlite_map.hpp"
 
 namespace program {
@@ -69,7 +72,8 @@ void extend_snapshot(const std::string& path, Bag bag, const Bag& entries,
                  exists ? topobag::saved_catalog(path).has_value() : !classes.file.empty());
 }
 
-/// Throws when a map holds all of the entries: a sequence mapped twice is found by itself.
+}  // namespace
+
 void require_new(const std::string& path, const Bag& bag, const Bag& entries) {
   std::multimap<double, topobag::KeyframeId> by_stamp;
   bag.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info, const auto&) {
@@ -92,25 +96,10 @@ void require_new(const std::string& path, const Bag& bag, const Bag& entries) {
                              ": mapped twice, a place is found by itself");
 }
 
+namespace {
+
 /// Which kind of map a new file is.
 bool is_sqlite_name(const std::string& path) { return fs::path(path).extension() == ".db"; }
-
-enum class MapKind { sqlite, snapshot };
-
-/// By the file's first bytes, whatever its name.
-MapKind kind_of(const std::string& path) {
-  if (fs::is_directory(path)) throw InputError(path, "it is a folder; name the map in it");
-  std::ifstream file(path, std::ios::binary);
-  if (!file && fs::exists(path + ".frames.csv")) {
-    throw InputError(path, "it is a table, no map; `topobag map` makes one of it");
-  }
-  if (!file) throw InputError(path, "the file cannot be opened; check the path");
-  std::string beginning(16, '\0');
-  file.read(beginning.data(), 16);
-  if (beginning.compare(0, 15, "SQLite format 3") == 0) return MapKind::sqlite;
-  if (beginning.compare(0, 8, "\x89TBG\r\n\x1a\n") == 0) return MapKind::snapshot;
-  throw InputError(path, "it is no map: neither an SQLite map nor a snapshot of topobag");
-}
 
 /// Of the file that is there, else of the one that its name asks for.
 bool is_sqlite_map(const std::string& path) {
@@ -144,7 +133,10 @@ Bag new_entries(const Bag& bag, const std::vector<Keyframe>& keyframes) {
 
 bool is_saved_map(const std::string& path) {
   if (is_fleet_address(path)) return true;
-  return set_name(path) == path && fs::is_regular_file(path) && !is_object_map(path);
+  std::error_code unreadable;
+  const bool is_file =
+      fs::is_regular_file(path, unreadable) || (unreadable && unreadable.value() != ENOENT);
+  return set_name(path) == path && is_file && !is_object_map(path);
 }
 
 void require_sqlite_map(const std::string& path) {
@@ -206,7 +198,10 @@ void write_new_map(const std::string& path, const SavedMap& map, const ObjectCla
 }
 
 std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& options) {
-  if (!is_saved_map(map)) return read_keyframes(map, options);
+  if (!is_saved_map(map)) {
+    require_map(map);
+    return read_keyframes(map, options);
+  }
   const SavedMap saved = read_saved_map(map, options.classes);
   std::map<std::uint32_t, SavedSession> sessions;
   for (const SavedSession& session : saved.sessions) sessions[session.id] = session;

@@ -24,6 +24,11 @@ struct SavedMap {
 topobag::BagOfTopologyGraphs<> new_entries(const topobag::BagOfTopologyGraphs<>& bag,
                                            const std::vector<Keyframe>& keyframes);
 
+/// Throws InputError when the map at `path` holds all of the entries: a sequence mapped twice is
+/// found by itself.
+void require_new(const std::string& path, const topobag::BagOfTopologyGraphs<>& bag,
+                 const topobag::BagOfTopologyGraphs<>& entries);
+
 /// Whether a path names a saved map, not a table or one of a table's files.
 bool is_saved_map(const std::string& path);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -12,7 +13,9 @@
 #include "keyframe_options.hpp"
 #include "look_up.hpp"
 #include "number_check.hpp"
+#include "option_use.hpp"
 #include "output_files.hpp"
+#include "path_kind.hpp"
 #include "saved_map.hpp"
 #include "view/map_view.hpp"
 #include "view/view_page.hpp"
@@ -37,7 +40,10 @@ topobag::PinholeCamera<> camera_of(const ViewArguments& arguments) {
 /// The map, and what was found of the key frames that are to be looked up in it.
 RecognitionRun viewed_run(const ViewArguments& arguments) {
   const bool is_table = !is_saved_map(arguments.tables.map);
-  if (arguments.keyframes.camera.fx <= 0.0 && (is_table || !arguments.tables.query.empty())) {
+  if (is_table) require_map(arguments.tables.map);
+  const bool sees = !arguments.keyframes.clusters && !is_object_map(arguments.tables.map);
+  if (sees && arguments.keyframes.camera.fx <= 0.0 &&
+      (is_table || !arguments.tables.query.empty())) {
     throw InputError("--camera", "a table does not tell of its camera; give its intrinsics");
   }
   RecognitionRun run;
@@ -66,7 +72,13 @@ void view(const ViewArguments& arguments) {
   write_file(arguments.out, view_page(shown));
   std::cout << arguments.out << ": " << shown.at("keyframes").at("name").size() << " key frames, "
             << shown.at("objects").at("class").size() << " objects, " << shown.at("matches").size()
-            << " matches\n";
+            << " matches";
+  if (!run.records.empty()) {
+    const auto asked = std::count_if(run.records.begin(), run.records.end(),
+                                     [](const QueryRecord& record) { return record.is_query(); });
+    std::cout << " of " << asked << " key frames that could be looked up";
+  }
+  std::cout << '\n';
 }
 
 }  // namespace
@@ -92,7 +104,14 @@ void add_view_command(CLI::App& app) {
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
   command.get_option("--camera")->required(false);
   add_map_options(command, arguments->tables);
-  command.callback([arguments] { view(*arguments); });
+  command.callback([arguments, &command] {
+    const MapAndQuery& tables = arguments->tables;
+    if (tables.query.empty()) require_table_options(command, tables.map);
+    require_object_options(command, {tables.map, tables.query});
+    require_with(command, "--min-gap", {"--loops"});
+    require_with(command, "--gravity-noise", {"--world-up", "--map-world-up"});
+    view(*arguments);
+  });
 }
 
 }  // namespace program

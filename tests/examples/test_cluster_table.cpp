@@ -78,6 +78,9 @@ TEST_CASE("clusters that are none are named by their line", "[examples]") {
   CHECK(cluster_error("0,bench,0.5,1,2,3,4,5,6") == "nothing was thrown");
   CHECK(cluster_error("3,bench,0.5,1,2,3,4,5,6").find("idx 3 is not among the frames") !=
         std::string::npos);
+  CHECK(cluster_error("0,bench,0.5,1,2,3,0,0,0") == "nothing was thrown");
+  CHECK(cluster_error("0,bench,0.5,1,2,3,4,-5,6").find("dx, dy and dz, the cluster's size, have") !=
+        std::string::npos);
   CHECK(cluster_error("0,sphinx,0.5,1,2,3,4,5,6").find("sphinx") != std::string::npos);
   CHECK(cluster_error("0,bench,0.5,1,2,3,4,5,6,1,0,1", ",sx,sy,sz").find("have to be positive") !=
         std::string::npos);

@@ -51,6 +51,20 @@ TEST_CASE("line ends, blanks, empty lines and a byte order mark do not matter", 
   CHECK(values == std::vector<std::int64_t>{1, 2, 3, 4});
 }
 
+TEST_CASE("tabs alone part a row that has them", "[examples][regression]") {
+  const ScratchFolder folder;
+  CsvReader csv(folder.write("t.csv", "x\tname\ty\n1\tcell phone\t2\n3\t\t4\n5 cup 6\n"));
+  std::vector<std::string> names;
+  std::vector<std::int64_t> values;
+  while (csv.next()) {
+    names.emplace_back(csv.text(csv.column("name")));
+    values.push_back(csv.integer(csv.column("x")));
+    values.push_back(csv.integer(csv.column("y")));
+  }
+  CHECK(names == std::vector<std::string>{"cell phone", "", "cup"});
+  CHECK(values == std::vector<std::int64_t>{1, 2, 3, 4, 5, 6});
+}
+
 TEST_CASE("a bad CSV file is refused with file, line and reason", "[examples]") {
   CHECK(error_of("") == "t.csv: the file is empty; a header row is needed");
   CHECK(error_of("\n\n") == "t.csv: the file is empty; a header row is needed");

@@ -64,7 +64,7 @@ TEST_CASE("a table that is mapped to a server answers as one that is mapped to a
   CHECK(fleet_output("fleet init " + base.address("site=hall&site=yard")) == "prepared\n");
   const std::string map = "map --nodes " + sample_map + sample_options + "--out ";
   CHECK(fleet_output(map + hall) ==
-        base.plain_address("site=hall") + ": 67 key frames of fr1_xyz added\n");
+        base.plain_address("site=hall") + ": 67 key frames of fr1_xyz added to the fleet's map\n");
   fleet_output(map + file);
   CHECK(refusal(map + hall).find("holds these key frames already") != std::string::npos);
   CHECK(fleet_output("fleet status " + base.address()) ==

@@ -187,7 +187,7 @@ TEST_CASE("bad input ends localize with one line that names file and line", "[ex
   CHECK(EditedSample(".frames.csv", 5, "3,a.png,1305031230.7,,,,,,,").refusal() ==
         "s.frames.csv: frame idx 3 has no pose, which a window needs; give --window 0");
   CHECK(refusal("localize --map nowhere --query nowhere --camera 500,500,320,240") ==
-        "nowhere.frames.csv: the file cannot be opened; check the path");
+        "nowhere: there is no such file, and no table of this name; check the path");
   const ScratchFolder folder;
   folder.write("s.frames.csv", "idx,frame,timestamp\n");
   folder.write("s.nodes.csv", "idx,class,conf,u,v,w,h,z\n");

@@ -14,6 +14,7 @@
 #include "catch.hpp"
 #include "child_process.hpp"
 #include "keyframe_graphs.hpp"
+#include "map_kind.hpp"
 #include "run_program.hpp"
 #include "sample.hpp"
 #include "saved_map.hpp"
@@ -68,7 +69,7 @@ TEST_CASE("a map holds the key frames of its table, rounded", "[examples]") {
     const ScratchFolder folder;
     const std::string path = folder.path(file);
     CHECK(output_of("map --nodes " + sample_map + sample_options + "--out " + path) ==
-          path + ": 67 key frames of fr1_xyz added\n");
+          path + ": 67 key frames of fr1_xyz added to the " + program::map_kind_text(path) + '\n');
     const auto kept = program::read_map(path, {});
     REQUIRE(kept.size() == keyframes.size());
     for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -99,17 +100,6 @@ TEST_CASE("localize in a saved map answers as in its table", "[examples]") {
     CHECK(saved.at("median_rotation_error_deg").get<double>() ==
           Approx(table.at("median_rotation_error_deg").get<double>()).margin(0.5));
   }
-}
-
-TEST_CASE("a session's name that the map cannot keep is told", "[examples][regression]") {
-  const ScratchFolder folder;
-  const std::string map = "map --nodes " + sample_map + sample_options + "--session Monday --out ";
-  const std::string snapshot = folder.path("map.topobag");
-  CHECK(output_of(map + snapshot) ==
-        snapshot + ": 67 key frames of Monday added\n" + snapshot +
-            ": a snapshot keeps no names of sessions, and so not Monday; a map FILE.db does\n");
-  const std::string database = folder.path("map.db");
-  CHECK(output_of(map + database) == database + ": 67 key frames of Monday added\n");
 }
 
 TEST_CASE("several sessions go into one map, and info tells them apart", "[examples]") {

@@ -89,6 +89,9 @@ TEST_CASE("a relation is kept as it is", "[examples]") {
   };
   CHECK(said(R"({"scale": 0, "deviation": 0.1, "classes": []})") ==
         "bad.json: scale and deviation have to be positive");
+  for (const char* other : {R"({"nodes": []})", "[1]", "scale"}) {
+    CHECK(said(other) == "bad.json: it is no relation, as `topobag relate` writes one");
+  }
   CHECK(said(R"({"scale": 1, "deviation": 0.1, "classes": [
           {"map": "sphinx", "query": "cup", "objects": 1}]})")
             .find("bad.json: unknown class 'sphinx'") == 0);

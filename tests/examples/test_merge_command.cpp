@@ -75,7 +75,28 @@ TEST_CASE("maps without poses are not joined", "[examples]") {
   program::write_new_map(folder.path("a.bag"), map, {});
   map.bag.clear();
   program::write_new_map(folder.path("b.bag"), map, {});
-  CHECK(refusal("merge " + folder.path("a.bag") + ' ' + folder.path("b.bag") + " --out " +
-                folder.path("c.bag"))
-            .find(folder.path("b.bag") + ": a map has no key frame with a pose") == 0);
+  const std::string a = folder.path("a.bag"), b = folder.path("b.bag");
+  for (const std::string& maps : {a + ' ' + b, b + ' ' + a}) {
+    CHECK(refusal("merge " + maps + " --out " + folder.path("c.bag"))
+              .find(b + ": a map has no key frame with a pose") == 0);
+  }
+}
+
+TEST_CASE("merge refuses before the work what it cannot do", "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string a = folder.path("a.bag"), b = folder.path("b.map");
+  const auto map = sample_map_at(sample_map, Eigen::Isometry3d::Identity());
+  program::write_new_map(a, map, {});
+  program::write_new_map(b, map, {});
+  const std::string twice =
+      ": the map holds these key frames already, as session 0: mapped twice, "
+      "a place is found by itself";
+  CHECK(refusal("merge " + a + ' ' + a + " --out " + folder.path("c.bag")) == a + twice);
+  CHECK(refusal("merge " + a + ' ' + b + " --out " + folder.path("c.bag")) == a + twice);
+  CHECK(refusal("merge " + a + ' ' + b + " --out " + folder.path("no/c.bag")) ==
+        "--out " + folder.path("no/c.bag") + ": the folder does not exist; make it first");
+  CHECK(refusal("merge " + a + ' ' + b + " --out " + folder.path()) ==
+        "--out " + folder.path() + ": it is a folder; name a file in it");
+  CHECK(refusal("merge " + a + ' ' + b + " --out 'postgresql://localhost/x?site=a'") ==
+        "--out: merge writes a file, which `topobag fleet push` sends to a server");
 }

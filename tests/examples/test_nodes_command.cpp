@@ -110,17 +110,60 @@ TEST_CASE("nodes describes objects when it is asked to", "[examples][appearance]
   write_sequence(folder);
   const std::string boxes = folder.write("boxes.json", R"([
     {"image_id": "rgb", "category_id": 72, "bbox": [10, 10, 20, 20], "score": 0.9}])");
-  const std::string arguments = "nodes --images " + folder.path() + " --boxes " + boxes +
-                                " --camera 50,50,31.5,23.5 --out " + folder.path("set");
-  const ProgramRun plain = run_program(arguments);
+  const std::string arguments =
+      "nodes --images " + folder.path() + " --boxes " + boxes + " --camera 50,50,31.5,23.5 --out ";
+  const ProgramRun plain = run_program(arguments + folder.path("set"));
   if (plain.err.find("was not built") != std::string::npos) return;  // it needs OpenCV
   CHECK(program::read_node_table(folder.path("set")).appearance.empty());
-  CHECK(run_program(arguments + " --appearance none").exit_code == 0);
-  CHECK(program::read_node_table(folder.path("set")).appearance.empty());
-  REQUIRE(run_program(arguments + " --appearance color").exit_code == 0);
-  const program::NodeTable table = program::read_node_table(folder.path("set"));
+  CHECK(run_program(arguments + folder.path("none") + " --appearance none").exit_code == 0);
+  CHECK(program::read_node_table(folder.path("none")).appearance.empty());
+  REQUIRE(run_program(arguments + folder.path("color") + " --appearance color").exit_code == 0);
+  const program::NodeTable table = program::read_node_table(folder.path("color"));
   CHECK(table.appearance == topobag::ColorDescriptor::name);
   CHECK(table.frames.at(0).detections.at(0).appearance.kind() == topobag::ColorDescriptor::kind);
-  CHECK(run_program(arguments + " --appearance clip").exit_code == 2);
-  CHECK(refusal(arguments + " --appearance layer:neck").find("give --model") != std::string::npos);
+  CHECK(run_program(arguments + folder.path("clip") + " --appearance clip").exit_code == 2);
+  CHECK(
+      refusal(arguments + folder.path("neck") + " --appearance layer:neck").find("give --model") !=
+      std::string::npos);
+}
+
+TEST_CASE("nodes writes over no table that is whole", "[examples][regression]") {
+  const ScratchFolder folder, labels;
+  write_sequence(folder);
+  labels.write("rgb.txt", "62 0.5 0.5 0.4 0.4\n");
+  const std::string arguments = "nodes --images " + folder.path() + " --boxes " + labels.path() +
+                                " --camera 50,50,31.5,23.5 --out " + folder.path("set");
+  const ProgramRun first = run_program(arguments);
+  if (first.err.find("was not built") != std::string::npos) return;  // it needs OpenCV
+  CAPTURE(first.err);
+  REQUIRE(first.exit_code == 0);
+  const std::string before = content_of(folder.path("set.nodes.csv"));
+  CHECK(refusal(arguments) ==
+        "--out " + folder.path("set") + ": the table exists; give another name");
+  CHECK(content_of(folder.path("set.nodes.csv")) == before);
+  CHECK(refusal(arguments + '/') ==
+        "--out " + folder.path("set/") + ": it is a folder; name a file in it");
+}
+
+TEST_CASE("nodes says what leaves it nothing", "[examples][regression]") {
+  const ScratchFolder folder, labels;
+  write_sequence(folder);
+  labels.write("rgb.txt", "62 0.5 0.5 0.4 0.4\n");
+  const std::string out = " --camera 50,50,31.5,23.5 --out " + folder.path("set");
+  const std::string images = "nodes --images " + folder.path();
+  const std::string scaled =
+      refusal(images + " --boxes " + labels.path() + out + " --depth-scale 1");
+  if (scaled.find("was not built") != std::string::npos) return;  // it needs OpenCV
+  CHECK(scaled ==
+        "--depth-scale: none of the 1 detections becomes a node, and 1 have a depth out of range, "
+        "0.1 to 10 m: depths are from 10000 to 10000 m; give the depth value that means one metre, "
+        "5000 in the TUM RGB-D layout");
+  const std::string model = folder.write("net.onnx", "\x08\x07\x12\x07pytorch");
+  CHECK(refusal(images + " --boxes " + model + out) ==
+        model + ": it is neither a folder of YOLO text files nor COCO's JSON");
+  CHECK(refusal(images + " --model " + labels.path() + out) ==
+        labels.path() + ": it is a folder; name an ONNX file");
+  const std::string nowhere = folder.path("nowhere");
+  CHECK(refusal("nodes --images " + nowhere + " --boxes " + labels.path() + out) ==
+        nowhere + ": there is no such folder");
 }

@@ -66,9 +66,11 @@ TEST_CASE("what is wrong with a map of objects is told with its node", "[example
   CHECK(object_map_error(good + R"(, {"translation": [1, 2, "x"], "baseline_label": {}})") ==
         "map.json, node 2: translation has to be finite numbers");
   CHECK(object_map_error(R"({"translation": [1, 2, 3], "baseline_label": {"80.0": [1]}})") ==
-        "map.json, node 1: the class 80.0 is the number of none");
+        "map.json, node 1: the class 80.0 is the number of none of the 80; name the map's own "
+        "classes by --map-words");
   CHECK(object_map_error(R"({"translation": [1, 2, 3], "baseline_label": {"1.5": [1]}})") ==
-        "map.json, node 1: the class 1.5 is the number of none");
+        "map.json, node 1: the class 1.5 is the number of none of the 80; name the map's own "
+        "classes by --map-words");
   CHECK(object_map_error(R"({"translation": [1, 2, 3], "baseline_label": {"41": [-1]}})") ==
         "map.json, node 1: a class's weight is negative");
   CHECK(object_map_error(R"({"translation": [1, 2, 3], "baseline_label": {"41": [0]}})") ==

@@ -56,7 +56,7 @@ TEST_CASE("likely mistakes are told in one sentence that says what to do", "[exa
   const ScratchFolder folder;
   CHECK(refusal("info " + folder.path()) == folder.path() + ": it is a folder; name the map in it");
   CHECK(refusal("map --nodes " + sample_map + sample_options + "--out " + folder.path()) ==
-        folder.path() + ": it is a folder; name a file in it");
+        "--out " + folder.path() + ": it is a folder; name a file in it");
   CHECK(refusal("loops --protocol distance=far --nodes " + sample_map + sample_options)
             .find("distance") != std::string::npos);
   const ProgramRun run = run_program("localize --map " + sample_map + ".nodes.csv --query " +

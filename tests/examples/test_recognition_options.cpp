@@ -70,3 +70,34 @@ TEST_CASE("a table without a graph to match is refused with the reasons, whateve
                     "detections in the table 772 are below --min-confidence") != std::string::npos);
   }
 }
+
+TEST_CASE("a map's own key frames are no other place", "[examples][regression]") {
+  const std::string tables =
+      "localize --map " + sample_map + " --query " + sample_query + sample_options;
+  CHECK(refusal(tables + "--calibrate --other-place " + sample_map) ==
+        "--other-place: 67 of its 67 key frames are the map's own, which are no other place");
+}
+
+TEST_CASE("a vertical that the map lacks is told", "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string map = folder.path("map.bag");
+  REQUIRE(run_program("map --nodes " + sample_map + sample_options + "--out " + map).exit_code ==
+          0);
+  const std::string told = "the map knows of none, so that --world-up changes nothing";
+  const std::string up = " --query " + sample_query + sample_options + "--world-up 0,0,1";
+  CHECK(run_program("localize --map " + map + up).out.find(told) != std::string::npos);
+  CHECK(run_program("localize --map " + sample_map + up).out.find(told) == std::string::npos);
+}
+
+TEST_CASE("boxes outside the image are told with the option of their table",
+          "[examples][regression]") {
+  const ScratchFolder folder;
+  folder.write("s.frames.csv", "idx,frame,timestamp\n0,a,0\n");
+  folder.write("s.nodes.csv", "idx,class,conf,u,v,w,h,z\n0,cup,1,800,100,20,20,2\n");
+  const std::string wide = folder.path("s"), options = sample_options + "--window 0 ";
+  CHECK(refusal("localize --map " + wide + " --query " + sample_query + options)
+            .find("; give --map-camera with its width and height of the table's images") !=
+        std::string::npos);
+  CHECK(refusal("localize --map " + sample_map + " --query " + wide + options)
+            .find("; give --camera and --image-size of the table's images") != std::string::npos);
+}

@@ -65,6 +65,10 @@ TEST_CASE("a run without a query says why", "[examples]") {
           require_queries(run);
         }).find("set: none of the 3 key frames could be looked up: 2 have no usable graph, 1 ") ==
         0);
+  run.before_thinning = 61;
+  CHECK(error_text([&] { require_queries(run, "a key frame farther away"); }) ==
+        "set: none of the 3 key frames, which --query-interval leaves of 61, could be looked up: 2 "
+        "have no usable graph, 1 nothing to compare with, such as a key frame farther away");
   run.records.push_back(rejected(true, true));
   CHECK_NOTHROW(require_queries(run));
 }

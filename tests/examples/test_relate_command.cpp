@@ -75,6 +75,14 @@ TEST_CASE("another system's map with other words is related and localized in", "
   CHECK(refusal("relate --query " + folder.path("other") + map + "--out " + relation)
             .find("no alignment is believed: ") != std::string::npos);
 
+  // No relation is written over what it was learnt from.
+  for (const std::string file : {"words.json", "query.nodes.csv"}) {
+    const std::string before = content_of(folder.path(file));
+    CHECK(refusal("relate --query " + folder.path("query") + map + "--out " + folder.path(file))
+              .find("--out " + folder.path(file) + ": the file is also that of --") == 0);
+    CHECK(content_of(folder.path(file)) == before);
+  }
+
   const std::string common = " --align-worlds --json --window 0";
   const ProgramRun found = run_program("localize --query " + folder.path("query") + map +
                                        "--map-relation " + relation + common);

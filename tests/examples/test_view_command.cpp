@@ -123,7 +123,7 @@ TEST_CASE("view refuses what it cannot show, and leaves a page that is there", "
   const std::string page = folder.write("map.html", "as it was");
   const std::string out = " --out " + page;
   CHECK(refusal("view nowhere" + sample_options + out) ==
-        "nowhere.frames.csv: the file cannot be opened; check the path");
+        "nowhere: there is no such file, and no table of this name; check the path");
   CHECK(refusal("view " + sample_map + out) ==
         "--camera: a table does not tell of its camera; give its intrinsics");
   CHECK(refusal("view" + out) == "map is required; see topobag view --help");

@@ -97,8 +97,11 @@ TEST_CASE("only so many key frames are asked, from all over the map", "[recognit
   const auto a = map_of_rooms({1, 2, 3, 4}, Eigen::Isometry3d::Identity(), random);
   AlignOptions options;
   options.max_keyframes = 4;
+  std::size_t told = 0;
+  options.on_query = [&] { ++told; };
   const MapAlignment alignment = align_maps(a, a, options);
   REQUIRE(alignment);
   CHECK(alignment.asked == 4);
+  CHECK(told == 4);
   CHECK(alignment.places >= 4);
 }

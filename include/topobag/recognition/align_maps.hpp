@@ -77,8 +77,8 @@ MapAlignment align_maps(const A& a, const B& b, const AlignOptions& options = {}
   for (std::size_t i = 0; i < alignment.asked; ++i) {
     const auto& [id, T_b_camera] = usable[i * usable.size() / alignment.asked];
     const auto graph = b.find(id);
-    if (!graph) continue;
-    detail::add_votes(votes, *present_a, relocalizer.localize(*graph), id, T_b_camera);
+    if (graph) detail::add_votes(votes, *present_a, relocalizer.localize(*graph), id, T_b_camera);
+    if (options.on_query) options.on_query();
   }
   alignment.matched = detail::voters(votes);
   std::vector<detail::AlignmentVote> best = detail::consensus(votes, options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include <topobag/recognition/recognition_options.hpp>
@@ -19,6 +20,7 @@ struct AlignOptions {
   double max_rival_share = 0.5;      ///< of so many, for another alignment, which then fits as well
   double deviations =
       3.0;  ///< σ of a match, by which its alignment may miss another match's camera
+  std::function<void()> on_query{};  ///< when set, called after each, to tell how far it has come
 };
 
 /// What became of two maps.
