@@ -14,20 +14,19 @@ namespace {
 
 SavedMap read_fleet_map(const std::string&, const topobag::ClassCatalog&) { refuse(); }
 
-void extend_fleet_map(const std::string&, const std::string&,
-                      const topobag::BagOfTopologyGraphs<>&, const topobag::ClassCatalog&) {
+void extend_fleet_map(const std::string&, const std::string&, const topobag::BagOfTopologyGraphs<>&,
+                      const topobag::ClassCatalog&) {
   refuse();
 }
 
-void prepare_fleet(const FleetAddress&, const topobag::ClassCatalog&) { refuse(); }
+void prepare_fleet(const FleetAddress&, const ObjectClasses&) { refuse(); }
 
 void admit_to_fleet(const FleetAddress&, const std::string&) { refuse(); }
 
 std::size_t push_to_fleet(const FleetAddress&, const std::string&) { refuse(); }
 
 void follow_fleet(const FleetAddress&, const topobag::ClassCatalog&,
-                  std::optional<std::chrono::seconds>,
-                  const std::function<void(const std::string&)>&) {
+                  std::optional<std::chrono::seconds>, const FollowSays&) {
   refuse();
 }
 
