@@ -33,7 +33,7 @@ map robot2 fr1_rpy
 map robot3 fr1_xyz
 
 follow() { # seconds
-  "$topobag" fleet follow "$base?site=hall&site=yard" --seconds "$1" > >(sed -u 's/^/  follower: /') &
+  "$topobag" fleet follow "$base?site=hall&site=yard" --seconds "$1" > >(sed -u 's/^/  follower: /') 2>&1 &
   follower=$!
 }
 follow 60

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <topobag/evaluation/protocol_text.hpp>
-#include <topobag/recognition/place_score.hpp>
 
 #include "commands.hpp"
 #include "comparison.hpp"
@@ -18,6 +17,8 @@
 #include "look_up.hpp"
 #include "number_check.hpp"
 #include "pair_scores.hpp"
+#include "place_scores.hpp"
+#include "progress.hpp"
 #include "report/comparison_page.hpp"
 #include "report/report_options.hpp"
 #include "report/run_outcomes.hpp"
@@ -52,8 +53,13 @@ RecognitionRun read_run(const CompareArguments& arguments, const KeyframeOptions
 KnownPlaces places_of(const RecognitionRun& run, const CompareArguments& arguments) {
   auto queries = true_trajectory(run.queries);
   auto map = true_trajectory(run.map);
-  if (!queries) throw InputError(run.query_set + ".frames.csv", "not every key frame has a pose");
-  if (!map) throw InputError(run.map_set + ".frames.csv", "not every key frame has a pose");
+  const auto require = [](const auto& trajectory, const std::string& set, const char* option) {
+    if (trajectory) return;
+    throw InputError(set + ".frames.csv",
+                     std::string("not every key frame has a pose; give ") + option);
+  };
+  require(queries, run.query_set, "--trajectory");
+  require(map, run.map_set, "--map-trajectory");
   std::optional<double> loop_gap;
   if (arguments.one_sequence()) loop_gap = arguments.min_gap;
   return known_places(*std::move(queries), *std::move(map),
@@ -74,24 +80,6 @@ std::vector<std::vector<topobag::Candidate>> best_answers(const PairScores& scor
     of_query.resize(std::min(count, of_query.size()));
   }
   return answers;
-}
-
-/// The default's score of every pair: verified where the library verifies it, else by the bag's
-/// similarity alone.
-topobag::ScoreMatrix place_scores(const RecognitionRun& run) {
-  topobag::ScoreMatrix scores = score_by_bag(run.queries, run.map).scores;
-  for (Eigen::Index i = 0; i < scores.size(); ++i) {
-    topobag::CandidateReport unverified;
-    unverified.similarity = scores.data()[i];
-    scores.data()[i] = topobag::place_score(unverified);
-  }
-  for (std::size_t i = 0; i < run.records.size(); ++i) {
-    for (const TriedCandidate& tried : run.records[i].tried) {
-      scores(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(tried.candidate)) =
-          tried.place_score;
-    }
-  }
-  return scores;
 }
 
 /// Time of all queries over the pairs that they verified, µs.
@@ -162,6 +150,8 @@ void compare(const CompareArguments& arguments) {
                         run.query_set,
                         topobag::to_string(places.truth.protocol()),
                         arguments.verified,
+                        0,
+                        0,
                         {}};
 
   run.kept = KeptCandidates::tried;
@@ -170,17 +160,34 @@ void compare(const CompareArguments& arguments) {
   } else {
     look_up_in_map(run);
   }
+  require_queries(run);
+  comparison.true_pairs = count_pairs(places.truth, topobag::PairRelation::positive);
+  comparison.false_pairs = count_pairs(places.truth, topobag::PairRelation::negative);
+  if (comparison.true_pairs == 0) {
+    throw InputError(run.query_set,
+                     "no query has a true place in the map by the protocol " + comparison.protocol);
+  }
   score(run, scoring);
   const topobag::ScoreMatrix scores = place_scores(run);
   comparison.methods.push_back(default_method(run, scores, places.truth));
   DecidedScores decided{scores, outcomes_of(run, &places), scoring.limits,
                         arguments.one_sequence()};
   run.kept = KeptCandidates::best;
-  comparison.methods.push_back(paper_method(arguments, places.truth));
+  std::vector<SimilarityScores> similarities = score_similarities(run.queries, run.map);
+  const auto part_of_next = [&] {
+    return ProgressPart("method", comparison.methods.size() + 1,
+                        2 + arguments.own_scores.size() + similarities.size());
+  };
+  {
+    const ProgressPart part = part_of_next();
+    comparison.methods.push_back(paper_method(arguments, places.truth));
+  }
   for (const std::string& path : arguments.own_scores) {
+    const ProgressPart part = part_of_next();
     comparison.methods.push_back(own_method(run, path, places.truth, arguments.verified));
   }
-  for (SimilarityScores& similarity : score_similarities(run.queries, run.map)) {
+  for (SimilarityScores& similarity : similarities) {
+    const ProgressPart part = part_of_next();
     ComparedMethod method{std::move(similarity.name), std::move(similarity.meaning)};
     method.labelled = topobag::label_scores(similarity.scores, places.truth);
     method.pair_us = similarity.pair_us;

@@ -37,10 +37,9 @@ std::vector<ComparisonNumber> numbers_of(const ComparedMethod& method) {
 }
 
 std::string to_json(const Comparison& comparison) {
-  Json json{{"map", comparison.map_set},
-            {"query", comparison.query_set},
-            {"protocol", comparison.protocol},
-            {"verified", comparison.verified}};
+  Json json{{"map", comparison.map_set},           {"query", comparison.query_set},
+            {"protocol", comparison.protocol},     {"verified", comparison.verified},
+            {"true_pairs", comparison.true_pairs}, {"false_pairs", comparison.false_pairs}};
   Json& methods = json["methods"] = Json::array();
   for (const ComparedMethod& method : comparison.methods) {
     Json row{{"name", method.name}, {"meaning", method.meaning}};
@@ -89,6 +88,10 @@ std::string to_table(const Comparison& comparison) {
       << "AP, AUC-PR, R@100P and F1max of each query's best answer; R@K of the queries with a true "
          "place.\nAccepted and verdicts: the library's verification of a similarity's best "
       << comparison.verified << " answers.\n";
+  if (comparison.false_pairs == 0) {
+    out << "The protocol calls no pair false, so that every ranking is right: AP to F1max say "
+           "nothing here.\n";
+  }
   for (const ComparedMethod& method : comparison.methods) {
     out << "  ";
     name(method.name);

@@ -17,6 +17,7 @@
 #include "output_files.hpp"
 #include "pair_scores.hpp"
 #include "pose_files.hpp"
+#include "progress.hpp"
 #include "report/report_options.hpp"
 #include "report/retrieval_page.hpp"
 #include "retrieval_report.hpp"
@@ -104,19 +105,46 @@ Json loops_json(const EvaluateOptions& options, const topobag::ScoreList& list,
   return verdicts_json(verdicts, limits);
 }
 
+/// Whether a method gives a loop's pose.
+bool has_poses(const PairScores& scores) {
+  const auto* const list = std::get_if<topobag::ScoreList>(&scores);
+  return list != nullptr && !list->T_candidate_query.empty();
+}
+
+/// Throws where every ranking would be perfect and there is no pose to judge either.
+void require_false_pairs(const topobag::PlaceTruth& truth, const PairScores& scores) {
+  if (has_poses(scores) || count_pairs(truth, topobag::PairRelation::negative) > 0) return;
+  throw InputError("--protocol " + topobag::to_string(truth.protocol()),
+                   "it calls no pair false, so that there is nothing to score");
+}
+
+/// Throws where an option is about the poses of scores that have none.
+void require_loop_poses(const EvaluateOptions& options, const PairScores& scores) {
+  const bool accepts = options.accept && !wanted(options.files);  // a report has best answers too
+  const char* const option = !options.pose_limits.empty() ? "--pose-limits"
+                             : accepts                    ? "--accept"
+                                                          : nullptr;
+  if (option == nullptr) return;
+  if (has_poses(scores)) return;
+  throw InputError(options.scores, std::string("its scores have no poses, which ") + option +
+                                       " is about: a list with the columns tx,ty,tz,qx,qy,qz,qw "
+                                       "has them");
+}
+
 void evaluate(const EvaluateOptions& options) {
   const KnownPlaces places = read_places(options);
   const topobag::PlaceTruth& truth = places.truth;
   Method method = read_method(options.scores, options, truth);
+  require_loop_poses(options, method.scores);
+  require_false_pairs(truth, method.scores);
   Json result;
   result["scores"] = options.scores;
   result["poses"] = options.poses;
   if (!options.map_poses.empty()) result["map_poses"] = options.map_poses;
   result["protocol"] = topobag::to_string(truth.protocol());
   result.update(retrieval_json(method.labelled, options.report));
-  const auto* const list = std::get_if<topobag::ScoreList>(&method.scores);
-  if (list != nullptr && !list->T_candidate_query.empty()) {
-    result["loops"] = loops_json(options, *list, truth);
+  if (has_poses(method.scores)) {
+    result["loops"] = loops_json(options, std::get<topobag::ScoreList>(method.scores), truth);
   }
   Method other;
   if (!options.against.empty()) {
@@ -199,6 +227,7 @@ void add_evaluate_command(CLI::App& app) {
   add_output_option(command, "--ranks", options->ranks,
                     "CSV to write: each query's first true answer");
   add_report_options(command, options->files);
+  add_progress_option(command);
   command.add_flag("--json", options->as_json, "Print JSON");
   command.callback([options] {
     options->report.score_sign = options->lower_is_better ? -1.0 : 1.0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -12,7 +13,9 @@
 #include "explanation_json.hpp"
 #include "look_up.hpp"
 #include "match_svg.hpp"
+#include "node_table.hpp"
 #include "number_check.hpp"
+#include "object_map.hpp"
 #include "output_files.hpp"
 #include "recognition_options.hpp"
 
@@ -29,15 +32,36 @@ struct ExplainArguments {
   CalibrationArguments calibration;
 };
 
-/// Leaves the run the query of this frame alone.
-void keep_query(RecognitionRun& run, std::int64_t frame) {
-  const auto found = std::find_if(run.queries.begin(), run.queries.end(),
-                                  [&](const Keyframe& query) { return query.idx == frame; });
-  if (found == run.queries.end()) {
-    throw InputError("--frame " + std::to_string(frame),
-                     "no key frame of the query has this idx; --keyframe-interval 0 takes all "
-                     "frames");
+/// Why a frame cannot be explained: no key frame of the query has its idx.
+InputError no_key_frame(const std::string& query, std::int64_t frame) {
+  const std::string option = "--frame " + std::to_string(frame);
+  if (is_object_map(query)) {
+    return {option, "no key frame of the query has this idx: a map of objects is frame 0 alone"};
   }
+  CsvReader csv(set_name(query) + ".frames.csv");
+  const std::size_t column = csv.column("idx");
+  std::int64_t first = std::numeric_limits<std::int64_t>::max();
+  std::int64_t last = std::numeric_limits<std::int64_t>::min();
+  bool there = false;
+  while (csv.next()) {
+    const std::int64_t idx = csv.integer(column);
+    first = std::min(first, idx);
+    last = std::max(last, idx);
+    there = there || idx == frame;
+  }
+  if (there) {
+    return {option,
+            "no key frame of the query has this idx; --keyframe-interval 0 takes all frames"};
+  }
+  return {option, "the table has no frame of this idx; it has idx " + std::to_string(first) +
+                      " to " + std::to_string(last)};
+}
+
+/// Leaves the run the query of this frame alone.
+void keep_query(RecognitionRun& run, const std::string& query, std::int64_t frame) {
+  const auto found = std::find_if(run.queries.begin(), run.queries.end(),
+                                  [&](const Keyframe& one) { return one.idx == frame; });
+  if (found == run.queries.end()) throw no_key_frame(query, frame);
   run.queries = {*found};
 }
 
@@ -54,7 +78,7 @@ const topobag::CandidateReport& shown_candidate(const topobag::Recognition& reco
 void explain_frame(const ExplainArguments& arguments) {
   RecognitionRun run = read_map_and_query(arguments.tables, arguments.recognition.keyframes,
                                           arguments.recognition.image_size);
-  keep_query(run, arguments.frame);
+  keep_query(run, arguments.tables.query, arguments.frame);
   run.kept = KeptCandidates::reports;
   look_up_in_map(run,
                  calibration_request(arguments.calibration, arguments.recognition, run.classes));
@@ -94,13 +118,15 @@ void add_explain_command(CLI::App& app) {
       ->required();
   command.add_option("--query", arguments->tables.query, "Table of the key frame to explain")
       ->required();
-  command.add_option("--frame", arguments->frame, "Its idx in the table")->required();
+  command.add_option("--frame", arguments->frame, "Its idx in the table")
+      ->required()
+      ->check(frame_number());
   add_keyframe_options(command, arguments->recognition.keyframes,
                        arguments->recognition.image_size);
   add_map_options(command, arguments->tables);
   add_calibration_options(command, arguments->calibration);
   command.add_option("--candidates", arguments->candidates, "Candidates to print, best first")
-      ->check(whole_number_from(0))
+      ->check(whole_number_from(1))
       ->capture_default_str();
   add_output_option(command, "--svg", arguments->svg, "File to draw the best candidate in");
   command.add_flag("--json", arguments->json, "All candidates in JSON");

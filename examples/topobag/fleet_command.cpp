@@ -72,14 +72,15 @@ void add_fleet_command(CLI::App& app) {
   CLI::App& follow = add_part(fleet, arguments, "follow",
                               "Keeps the sites' key frames in memory "
                               "and tells how many there are");
-  follow.add_option("--seconds", arguments->seconds, "For so long [for ever]")
+  follow.add_option("--seconds", arguments->seconds, "For so long, s [for ever]")
       ->check(number_within(0.0));
   add_classes_option(follow, arguments->classes);
   on_address(follow, arguments, [](const FleetArguments& given, const FleetAddress& address) {
     std::optional<std::chrono::seconds> time;
     if (given.seconds) time = std::chrono::seconds(*given.seconds);
     follow_fleet(address, given.classes, time,
-                 [](const std::string& text) { std::cout << text << std::endl; });
+                 {[](const std::string& text) { std::cout << text << std::endl; },
+                  [](const std::string& text) { std::cerr << "topobag: " << text << std::endl; }});
   });
 
   CLI::App& status = add_part(fleet, arguments, "status", "Says what a server holds");

@@ -8,36 +8,11 @@
 
 #include <topobag/version.hpp>
 
+#include "command_line_complaint.hpp"
 #include "commands.hpp"
 #include "output_files.hpp"
 
 namespace {
-
-/// What is wrong with the command line, where CLI11 does not say it in the user's words.
-std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
-  const std::string said = error.what();
-  const std::string not_converted = "Could not convert: ";
-  if (said.rfind(not_converted, 0) == 0) {
-    return said.substr(not_converted.size()) + " is not a number of its kind";
-  }
-  if (!app.get_subcommands().empty()) return said;
-  const auto words = app.remaining();
-  if (words.empty()) return "give a command";
-  if (words.front().rfind('-', 0) == 0) {
-    return "a command comes first, then its options such as " + words.front();
-  }
-  return "there is no command '" + words.front() + "'";
-}
-
-/// The help that lists the options in question.
-std::string help_of(const CLI::App& app) {
-  std::string words = "topobag ";
-  for (auto commands = app.get_subcommands(); !commands.empty();
-       commands = commands.front()->get_subcommands()) {
-    words += commands.front()->get_name() + ' ';
-  }
-  return words + "--help";
-}
 
 /// Says what is wrong in one line on stderr.
 int fail(const std::string& message) {
@@ -75,7 +50,7 @@ int main(int argc, char** argv) {
     if (!std::cout.flush()) return fail("the output cannot be written");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // --help
-    return fail(complaint(app, error) + "; see " + help_of(app));
+    return fail(program::complaint(app, error) + "; see " + program::help_of(app));
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -48,6 +48,16 @@ inline CLI::Validator whole_number_from(std::int64_t min) {
           range};
 }
 
+/// The idx of a frame in its table.
+inline CLI::Validator frame_number() {
+  return {[](std::string& text) {
+            return topobag::parse_whole(text)
+                       ? std::string()
+                       : "'" + text + "' is not the idx of a frame, a whole number";
+          },
+          "idx"};
+}
+
 /// Any number; without a check NaN would be one.
 inline CLI::Validator any_number() {
   return finite_number("(-inf, inf)", [](double) { return true; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pair_scores.hpp"
 
+#include <filesystem>
 #include <fstream>
 
 #include <topobag/evaluation/npy_matrix.hpp>
@@ -20,11 +21,18 @@ bool is_npy(const std::string& path) {
 }  // namespace
 
 PairScores read_pair_scores(const std::string& path, bool lower_is_better) {
+  if (std::filesystem::is_directory(path)) {
+    throw InputError(path, "it is a folder; name a file in it");
+  }
   PairScores scores;
   if (is_npy(path)) {
     scores = topobag::read_npy(path);
   } else {
     scores = topobag::read_score_csv(path);
+  }
+  const auto* const list = std::get_if<topobag::ScoreList>(&scores);
+  if (list != nullptr && list->pairs.empty()) {
+    throw InputError(path, "there is no score in the file");
   }
   if (!lower_is_better) return scores;
   if (auto* const matrix = std::get_if<topobag::ScoreMatrix>(&scores)) {
@@ -48,6 +56,16 @@ topobag::LabelledScores label_scores(const PairScores& scores, const topobag::Pl
   if (!labelled.scores.empty()) return labelled;
   throw InputError(path, "none of its scores is of a pair that the protocol " +
                              topobag::to_string(truth.protocol()) + " calls true or false");
+}
+
+std::size_t count_pairs(const topobag::PlaceTruth& truth, topobag::PairRelation relation) {
+  std::size_t pairs = 0;
+  for (std::size_t query = 0; query < truth.num_queries(); ++query) {
+    for (std::size_t candidate = 0; candidate < truth.num_candidates(); ++candidate) {
+      if (truth.relation(query, candidate) == relation) ++pairs;
+    }
+  }
+  return pairs;
 }
 
 }  // namespace program

@@ -16,13 +16,16 @@ namespace program {
 using PairScores = std::variant<topobag::ScoreMatrix, topobag::ScoreList>;
 
 /// Reads a matrix (.npy or CSV) or a list (CSV with a header), which is told by the content. Throws
-/// topobag::Error.
+/// topobag::Error, also where there is no score in it.
 PairScores read_pair_scores(const std::string& path, bool lower_is_better);
 
 /// The scores with what the truth says of them. Throws InputError, naming the file, where they do
 /// not fit it.
 topobag::LabelledScores label_scores(const PairScores& scores, const topobag::PlaceTruth& truth,
                                      const std::string& path);
+
+/// How many pairs the protocol says this of. O(queries · candidates).
+std::size_t count_pairs(const topobag::PlaceTruth& truth, topobag::PairRelation relation);
 
 /// Calls `visit(query, candidate, score)` for every score, by query, then by candidate.
 template <typename Visit>

@@ -16,7 +16,20 @@ bool& lines_wanted() {
   return wanted;
 }
 
+/// Of which part of the work is told.
+std::string& part_told() {
+  static std::string part;
+  return part;
+}
+
 }  // namespace
+
+ProgressPart::ProgressPart(const std::string& what, std::size_t number, std::size_t total)
+    : outer_(part_told()) {
+  part_told() += what + ' ' + std::to_string(number) + " of " + std::to_string(total) + ": ";
+}
+
+ProgressPart::~ProgressPart() { part_told() = std::move(outer_); }
 
 void add_progress_option(CLI::App& command) {
   command.add_flag("--progress", lines_wanted(),
@@ -38,7 +51,7 @@ void Progress::step(std::size_t steps) {
   const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(5000);
   if (now - said_ < pause) return;
   said_ = now;
-  std::cerr << (terminal_ ? "\r" : "") << done_ << " of " << total_ << ' ' << unit_
+  std::cerr << (terminal_ ? "\r" : "") << part_told() << done_ << " of " << total_ << ' ' << unit_
             << (terminal_ ? "\x1B[K" : "\n") << std::flush;
 }
 

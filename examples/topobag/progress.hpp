@@ -12,6 +12,18 @@ namespace program {
 /// Adds `--progress`: long work tells of itself also where stderr is no terminal.
 void add_progress_option(CLI::App& command);
 
+/// While it lives, what `Progress` tells is of this part of the work: "method 3 of 17: …".
+class ProgressPart {
+ public:
+  ProgressPart(const std::string& what, std::size_t number, std::size_t total);
+  ProgressPart(const ProgressPart&) = delete;
+  ProgressPart& operator=(const ProgressPart&) = delete;
+  ~ProgressPart();
+
+ private:
+  std::string outer_;
+};
+
 /// Tells on stderr how far long work has come: one live line on a terminal, else, where
 /// `--progress` was given, a line every five seconds. Nothing of work that is done at once.
 class Progress {

@@ -10,6 +10,8 @@
 #include <topobag/evaluation/precision_recall.hpp>
 #include <topobag/evaluation/recall_at_k.hpp>
 
+#include "progress.hpp"
+
 namespace program {
 namespace {
 
@@ -32,7 +34,9 @@ Json interval_json(const std::optional<topobag::ConfidenceInterval>& interval) {
 /// Confidence intervals of every metric; resamples where one is undefined do not count for it.
 Json intervals_json(const LabelledScores& labelled, const RetrievalReportOptions& options) {
   std::map<std::string, std::vector<double>> values;
+  Progress progress(options.resampling.resamples, "resamples scored");
   topobag::for_each_resample(labelled.totals.size(), options.resampling, [&](const auto& times) {
+    progress.step();
     const auto metrics = topobag::retrieval_metrics(labelled, times);
     if (!metrics) return;
     for (const auto& [name, value] : named(*metrics)) {
@@ -122,7 +126,9 @@ Json comparison_json(const LabelledScores& a, const LabelledScores& b,
     return of_b->average_precision - of_a->average_precision;
   };
   std::vector<double> differences;
+  Progress progress(resampling.resamples, "resamples compared");
   topobag::for_each_resample(a.totals.size(), resampling, [&](const auto& times) {
+    progress.step();
     if (const auto value = difference(times)) differences.push_back(*value);
   });
   json["average_precision"]["difference"] = or_null(difference({}));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/sensing/lift_detections.hpp>
 #include <topobag/similarity/padded_cosine.hpp>
 
 #include "camera_option.hpp"
@@ -18,6 +19,7 @@
 #include "input_error.hpp"
 #include "json_output.hpp"
 #include "keyframe_graphs.hpp"
+#include "node_table.hpp"
 #include "number_check.hpp"
 
 namespace program {
@@ -46,6 +48,31 @@ const Keyframe& frame_of(const std::vector<Keyframe>& frames, std::int64_t idx,
                      "there is no frame idx " + std::to_string(idx) + "; name others by --frames");
   }
   return *it;
+}
+
+/// Throws where the frame that the others are compared with shows nothing to compare.
+void require_objects(const Keyframe& first, const SimilarityArguments& arguments,
+                     const KeyframeOptions& options) {
+  if (first.graph.size() > 0) return;
+  const topobag::ClassCatalog& catalog = options.classes.catalog;
+  topobag::LiftOptions lifting;
+  lifting.min_confidence = options.min_confidence;
+  lifting.keep = options.keep;
+  topobag::DroppedDetections left_out;
+  std::size_t detections = 0;
+  for (const FrameRow& frame : read_node_table(arguments.nodes, catalog).frames) {
+    if (frame.idx != first.idx) continue;
+    detections = frame.detections.size();
+    left_out = topobag::lift_detections(frame.detections, options.camera, catalog, lifting).dropped;
+  }
+  std::ostringstream why;
+  why << "frame " << first.idx << " has no object to compare the others with; of its " << detections
+      << " detections " << left_out.low_confidence << " are below --min-confidence, "
+      << left_out.dynamic << " move by themselves, " << left_out.no_depth << " have no depth, "
+      << left_out.out_of_range << " are out of range, " << left_out.too_large << " too large, "
+      << left_out.invalid << " not valid, " << left_out.duplicate
+      << " seen twice; name another frame first";
+  throw InputError(set_name(arguments.nodes) + ".nodes.csv", why.str());
 }
 
 /// One reading of the paper, or the bag's own similarity.
@@ -117,6 +144,10 @@ std::string to_text(const SimilarityTable& table) {
     out << '\n';
   }
   out << "\nSimilarity to frame " << table.frames.front()->idx << ".\n";
+  for (const Keyframe* frame : table.frames) {
+    if (frame->graph.size() > 0) continue;
+    out << "Frame " << frame->idx << " has no object: its similarity is 0 by definition.\n";
+  }
   for (const Column& column : table.columns) {
     out << "  " << std::left << std::setw(width) << column.name << column.meaning << '\n';
   }
@@ -136,6 +167,7 @@ void print_similarities(const SimilarityArguments& arguments) {
   for (const std::int64_t idx : arguments.frames) {
     frames.push_back(&frame_of(keyframes, idx, arguments.nodes));
   }
+  require_objects(*frames.front(), arguments, options);
   SimilarityTable table = compare(std::move(frames), arguments.depth_scale);
   table.with_paper = arguments.frames == paper_frames;
   std::cout << (arguments.json ? to_json(table) : to_text(table));
@@ -151,6 +183,7 @@ void add_similarity_command(CLI::App& app) {
       ->required();
   command.add_option("--frames", arguments->frames, "idx of the frames, separated by commas")
       ->delimiter(',')
+      ->check(frame_number())
       ->default_str("0,21,43,196");
   add_camera_option(command, "--camera", arguments->keyframes.camera,
                     "Intrinsics fx,fy,cx,cy[,width,height], px")

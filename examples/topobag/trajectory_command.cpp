@@ -17,6 +17,8 @@
 #include "number_check.hpp"
 #include "output_files.hpp"
 #include "pose_files.hpp"
+#include "report/html_text.hpp"
+#include "trajectory_checks.hpp"
 #include "trajectory_report.hpp"
 
 namespace program {
@@ -33,6 +35,7 @@ struct TrajectoryOptions {
   std::string interpolation = "auto";
   bool keep_repeated = false;
   bool rpe_consecutive = false;
+  bool asks_for_steps = false;  ///< says over which the relative pose error is taken
   bool as_json = false;
   std::string errors;
   topobag::LifelongRules rules;
@@ -76,6 +79,15 @@ void require_one_clock(const TrajectoryOptions& options, const PoseFile& truth,
                    "a KITTI trajectory has no time stamps, the other one has: give --times");
 }
 
+/// Whether the times of a sequence's true and estimated poses have some in common.
+bool overlap(const PoseFile& truth, const PoseFile& estimate, int number) {
+  const auto a = truth.content.sequences.find(number), b = estimate.content.sequences.find(number);
+  if (a == truth.content.sequences.end() || b == estimate.content.sequences.end()) return false;
+  if (a->second.empty() || b->second.empty()) return false;
+  return a->second.front().stamp <= b->second.back().stamp &&
+         b->second.front().stamp <= a->second.back().stamp;
+}
+
 /// Throws where nothing was scored.
 void require_match(const TrajectoryOptions& options, const PoseFile& truth,
                    const PoseFile& estimate, const std::map<int, topobag::SequenceScore>& scores) {
@@ -86,7 +98,10 @@ void require_match(const TrajectoryOptions& options, const PoseFile& truth,
       const auto found = file.content.sequences.find(n);
       return found == file.content.sequences.end() ? "none" : span_text(found->second);
     };
-    why = poses(estimate) + ", the truth has " + poses(truth) + "; are both of one clock?";
+    why = poses(estimate) + ", the truth has " + poses(truth) +
+          (overlap(truth, estimate, number)
+               ? "; none of both are within --max-gap " + short_text(options.rules.max_gap_s) + " s"
+               : "; are both of one clock?");
   }
   throw InputError(options.estimate, "no pose lies between two true ones of its time: " + why);
 }
@@ -112,6 +127,12 @@ void score_trajectory(const TrajectoryOptions& options) {
   const auto scores =
       topobag::score_lifelong(truth.content.sequences, estimate.content.sequences, rules);
   require_match(options, truth, estimate, scores);
+  const topobag::AlignmentModel alignment = rules.alignment;
+  if (alignment != topobag::AlignmentModel::none) require_alignable(options.estimate, scores);
+  if (alignment != topobag::AlignmentModel::sim3) {
+    require_one_unit(options.groundtruth, options.estimate, scores);
+  }
+  if (options.asks_for_steps) require_steps(options.step, scores);
 
   Json result;
   result["groundtruth"] = options.groundtruth;
@@ -145,10 +166,13 @@ void add_trajectory_command(CLI::App& app) {
                   "file's frame, else tx ty tz qx qy qz qw [the same body]")
       ->expected(1, 7)
       ->delimiter(',');
-  command.add_option("--ate-threshold", rules.ate_threshold_m, "Largest ATE of a correct pose, m")
+  command
+      .add_option("--ate-threshold", rules.ate_threshold_m,
+                  "Largest ATE of a correct pose, m [any]")
       ->check(positive);
   command
-      .add_option("--aoe-threshold", rules.aoe_threshold_deg, "Largest AOE of a correct pose, deg")
+      .add_option("--aoe-threshold", rules.aoe_threshold_deg,
+                  "Largest AOE of a correct pose, deg [any]")
       ->check(positive);
   command.add_option("--tau", rules.tau_s, "Time constant of CS-R, s")
       ->check(positive)
@@ -174,17 +198,21 @@ void add_trajectory_command(CLI::App& app) {
       ->capture_default_str();
   command.add_flag("--keep-repeated", options->keep_repeated,
                    "Keep an OpenLORIS estimate's repeated poses");
-  command.add_option("--rpe-step", options->step.length, "Step of the relative pose error")
-      ->check(positive)
-      ->capture_default_str();
-  command.add_option("--rpe-unit", options->step.unit, "frames, seconds or metres [frames]")
-      ->transform(one_of(step_unit_names));
+  CLI::Option* const length =
+      command.add_option("--rpe-step", options->step.length, "Step of the relative pose error")
+          ->check(positive)
+          ->capture_default_str();
+  CLI::Option* const unit =
+      command.add_option("--rpe-unit", options->step.unit, "frames, seconds or metres [frames]")
+          ->transform(one_of(step_unit_names));
   command.add_flag("--rpe-consecutive", options->rpe_consecutive,
                    "Steps end to end instead of from every pose");
   add_output_option(command, "--errors", options->errors, "CSV to write: the errors of every pose");
   command.add_flag("--json", options->as_json, "Print JSON");
-  command.callback([options] {
+  command.callback([options, length, unit] {
     options->step.all_starts = !options->rpe_consecutive;
+    options->asks_for_steps = !length->empty() || !unit->empty();
+    require_whole_frames(options->step);
     score_trajectory(*options);
   });
 }

@@ -92,10 +92,37 @@ TEST_CASE("compare looks for earlier places of one table", "[examples]") {
   const ProgramRun run =
       run_program("loops --nodes " + sample_map + " --min-gap 5" + sample_options + " --json");
   CHECK(method(comparison, "default").at("accepted") == Json::parse(run.out).at("accepted"));
-  const Json nothing_earlier = compare("compare --nodes " + sample_map + " --min-gap 1000");
-  for (const Json& row : nothing_earlier.at("methods")) {
-    CHECK(row.at("average_precision").is_null());
+}
+
+TEST_CASE("compare refuses what leaves nothing to compare", "[examples][regression]") {
+  CHECK(refusal("compare --nodes " + sample_map + sample_options + "--min-gap 1000") ==
+        refusal("loops --nodes " + sample_map + sample_options + "--min-gap 1000"));
+  CHECK(refusal(sets + sample_options + "--protocol distance=0.00001") ==
+        sample_query + ": no query has a true place in the map by the protocol distance=1e-05");
+  const ScratchFolder folder;
+  std::string frames = "idx,frame,timestamp\n", nodes = "idx,class,conf,u,v,w,h,z\n";
+  for (int i = 0; i < 2; ++i) {
+    const std::string idx = std::to_string(i);
+    frames += idx + ",a.png," + std::to_string(i * 30) + "\n";
+    for (const char* box : {",cup,0.9,200,200,40,40,1\n", ",tv,0.9,400,200,80,80,2\n",
+                            ",chair,0.9,300,300,90,90,2\n"}) {
+      nodes += idx + box;
+    }
   }
+  folder.write("s.frames.csv", frames);
+  folder.write("s.nodes.csv", nodes);
+  CHECK(refusal("compare --window 0 --nodes " + folder.path("s") + sample_options) ==
+        folder.path("s.frames.csv") + ": not every key frame has a pose; give --trajectory");
+}
+
+TEST_CASE("compare tells where no ranking could be wrong", "[examples][regression]") {
+  const std::string told = "\nThe protocol calls no pair false";
+  const std::string all_true = sets + " --protocol distance=500";
+  CHECK(compare(all_true).at("false_pairs") == 0);
+  CHECK(compare(all_true).at("true_pairs") == 61 * 67);
+  CHECK(run_program(all_true + sample_options).out.find(told) != std::string::npos);
+  CHECK(compare(sets).at("false_pairs") > 0);
+  CHECK(run_program(sets + sample_options).out.find(told) == std::string::npos);
 }
 
 TEST_CASE("compare prints a table and writes a report", "[examples][report]") {

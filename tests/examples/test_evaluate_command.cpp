@@ -135,6 +135,33 @@ TEST_CASE("topobag evaluate: bad input is said in a sentence", "[program][evalua
   refused(good + " --accept nan", "'nan' is not a number in (-inf, inf)");
 }
 
+TEST_CASE("topobag evaluate: what leaves nothing to score is refused",
+          "[program][evaluation][regression]") {
+  const ScratchFolder folder;
+  const std::string with_poses = "evaluate --poses " + folder.write("poses.txt", poses);
+  const std::string matrix =
+      folder.write("m.csv", "0,.9,.8,.1\n.9,0,.2,.1\n.8,.2,0,.7\n.1,.1,.7,0\n");
+  CHECK(refusal(with_poses + " --scores " + matrix + " --protocol distance=500") ==
+        "--protocol distance=500: it calls no pair false, so that there is nothing to score");
+  const std::string empty = folder.write("list.csv", "query,candidate,score\n");
+  CHECK(refusal(with_poses + " --scores " + empty) == empty + ": there is no score in the file");
+  CHECK(refusal(with_poses + " --scores " + folder.path()) ==
+        folder.path() + ": it is a folder; name a file in it");
+}
+
+TEST_CASE("topobag evaluate: options about poses do not go with scores that have none",
+          "[program][evaluation][regression]") {
+  const ScratchFolder folder;
+  const std::string list = folder.write("list.csv", "query,candidate,score\n1,0,0.9\n3,2,0.8\n");
+  const std::string files = "evaluate --protocol distance=1 --poses " +
+                            folder.write("poses.txt", poses) + " --scores " + list;
+  const std::string has_none = list + ": its scores have no poses, which ";
+  const std::string needed = " is about: a list with the columns tx,ty,tz,qx,qy,qz,qw has them";
+  CHECK(refusal(files + " --pose-limits 0.3,15,1,45") == has_none + "--pose-limits" + needed);
+  CHECK(refusal(files + " --accept 0.85") == has_none + "--accept" + needed);
+  CHECK(run_program(files + " --accept 0.85 --report " + folder.path("r.html")).exit_code == 0);
+}
+
 TEST_CASE("topobag evaluate: poses without times do not go with seconds", "[program][evaluation]") {
   const ScratchFolder folder;
   const std::string kitti =

@@ -70,8 +70,22 @@ TEST_CASE("explain draws the candidate", "[examples]") {
 }
 
 TEST_CASE("a frame that is no key frame is refused with what to do", "[examples]") {
-  CHECK(refusal("explain " + sample_tables + sample_options + " --frame 999999")
-            .find("--frame 999999: no key frame of the query has this idx") == 0);
+  CHECK(refusal("explain " + sample_tables +
+                " --camera 517.3,516.5,318.6,255.3 --keyframe-interval 5 --frame 3") ==
+        "--frame 3: no key frame of the query has this idx; --keyframe-interval 0 takes all "
+        "frames");
+}
+
+TEST_CASE("a frame that is not in the table is refused with what is", "[examples][regression]") {
+  for (const std::string frame : {"500", "-1"}) {
+    CHECK(refusal("explain " + sample_tables + sample_options + " --frame " + frame) ==
+          "--frame " + frame + ": the table has no frame of this idx; it has idx 0 to 60");
+  }
+}
+
+TEST_CASE("no candidate to print is refused", "[examples][regression]") {
+  CHECK(refusal("explain " + sample_tables + sample_options + " --frame 3 --candidates 0") ==
+        "--candidates: '0' is not a whole number in [1, inf); see topobag explain --help");
 }
 
 TEST_CASE("a key frame of a saved map is told by session and frame", "[examples]") {

@@ -50,7 +50,8 @@ TEST_CASE("likely mistakes are told in one sentence that says what to do", "[exa
                 " --alignment sim2") ==
         "--alignment: 'sim2' is none of none, se3, sim3; see topobag trajectory --help");
   CHECK(refusal("similarity --frames 0-5 --camera 500,500,320,240 --nodes " + sample_map) ==
-        "--frames = 0-5 is not a number of its kind; see topobag similarity --help");
+        "--frames: '0-5' is not the idx of a frame, a whole number; see topobag similarity "
+        "--help");
   CHECK(refusal("similarity --nodes " + sample_map + sample_options.substr(0, 34)) ==
         frames + ": there is no frame idx 196; name others by --frames");
   const ScratchFolder folder;

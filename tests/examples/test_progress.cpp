@@ -51,6 +51,20 @@ TEST_CASE("long work tells a terminal how far it has come, short work nothing", 
   CHECK(shown_on_terminal(std::chrono::milliseconds(0)).find("steps") == std::string::npos);
 }
 
+TEST_CASE("long work of many parts tells which part it is at", "[examples][regression]") {
+  const auto told = [] { return shown_on_terminal(std::chrono::milliseconds(150)); };
+  {
+    const program::ProgressPart part("method", 3, 17);
+    CHECK(told().find("\rmethod 3 of 17: 1 of 3 steps") != std::string::npos);
+    {
+      const program::ProgressPart inner("run", 1, 2);
+      CHECK(told().find("\rmethod 3 of 17: run 1 of 2: 1 of 3 steps") != std::string::npos);
+    }
+    CHECK(told().find("\rmethod 3 of 17: 1 of 3 steps") != std::string::npos);
+  }
+  CHECK(told().find("\r1 of 3 steps") != std::string::npos);
+}
+
 TEST_CASE("what is no terminal is told nothing that was not asked for", "[examples]") {
   const ScratchFolder folder;
   const int file = ::open(folder.path("err").c_str(), O_CREAT | O_WRONLY, 0600);

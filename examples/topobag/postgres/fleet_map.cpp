@@ -33,6 +33,13 @@ std::vector<std::string> sites_of(const FleetAddress& address, topobag::Postgres
   return address.sites.empty() ? known : address.sites;
 }
 
+/// What became of key frames that could not be taken, in one sentence.
+std::string refusal_text(const std::vector<std::string>& refused) {
+  if (refused.size() == 1) return refused.front();
+  return std::to_string(refused.size()) + " key frames cannot be taken, the first of " +
+         refused.front();
+}
+
 /// What the first of the sites that says so keeps of its classes.
 std::optional<topobag::DescribedCatalog> kept_at(const std::vector<std::string>& sites,
                                                  topobag::PostgresStore& store) {
@@ -95,7 +102,7 @@ std::optional<topobag::DescribedCatalog> fleet_map_classes(const std::string& te
 SavedMap read_fleet_map(const std::string& address, const ObjectClasses& classes) {
   topobag::FleetBag fleet = bag_of(parse_fleet_address(address), classes);
   fleet.follow();
-  if (!fleet.refused().empty()) throw InputError(address, fleet.refused().front());
+  if (!fleet.refused().empty()) throw InputError(address, refusal_text(fleet.refused()));
   const auto view = fleet.view();
   SavedMap saved{"PostgreSQL, schema " + std::to_string(topobag::postgres_schema_version),
                  {},
@@ -135,8 +142,16 @@ void extend_fleet_map(const std::string& text, const std::string& session,
 void prepare_fleet(const FleetAddress& address, const ObjectClasses& classes) {
   topobag::PostgresStore store(address.conninfo);
   store.prepare();
-  const std::vector<std::string> names = store.site_names();
-  std::set<std::string> known(names.begin(), names.end());
+  const std::uint64_t catalog = topobag::fingerprint(classes.catalog);
+  std::set<std::string> known;
+  for (const topobag::FleetSite& site : store.sites()) {
+    known.insert(site.name);
+    const bool named = std::count(address.sites.begin(), address.sites.end(), site.name) > 0;
+    if (!named || classes.file.empty() || site.catalog == catalog) continue;
+    throw InputError(classes.file, "site '" + site.name +
+                                       "' exists with other classes, which are for ever; give "
+                                       "another site=NAME");
+  }
   for (const std::string& site : address.sites) {
     if (known.insert(site).second) store.add_site(site, described(classes));
   }
@@ -146,7 +161,12 @@ void admit_to_fleet(const FleetAddress& address, const std::string& role) {
   if (address.sites.empty()) throw InputError("the address names no site; give site=NAME");
   const auto robot = robot_of(address);
   topobag::PostgresStore store(address.conninfo);
-  for (const std::string& site : sites_of(address, store)) store.admit(role, site, robot);
+  const std::vector<std::string> sites = sites_of(address, store);
+  if (!store.has_role(role)) {
+    throw InputError("--role " + role,
+                     "the server has no role '" + role + "'; CREATE ROLE makes one");
+  }
+  for (const std::string& site : sites) store.admit(role, site, robot);
 }
 
 std::size_t push_to_fleet(const FleetAddress& address, const std::string& map) {
@@ -156,46 +176,62 @@ std::size_t push_to_fleet(const FleetAddress& address, const std::string& map) {
     kept->source = map;
     require_same(site, *kept, store);
   }
-  topobag::enlist(map, site, robot_of(address));
+  topobag::enlist(map, site, store, robot_of(address));
   return topobag::push(topobag::FleetOutbox(map), store);
 }
 
 void follow_fleet(const FleetAddress& address, const ObjectClasses& classes,
-                  std::optional<std::chrono::seconds> time,
-                  const std::function<void(const std::string&)>& tell) {
+                  std::optional<std::chrono::seconds> time, const FollowSays& says) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + time.value_or(std::chrono::seconds(0));
   std::unique_ptr<topobag::FleetBag> fleet;  // once its server has been asked
-  std::string said;
+  std::string said, why;
   std::size_t refused = 0;
-  const auto tell_if_new = [&](const std::string& text) {
-    if (text != std::exchange(said, text)) tell(text);
+  bool followed = false;
+  const auto if_new = [&](const auto& say, const std::string& text) {
+    if (text != std::exchange(said, text)) say(text);
   };
   do {
     try {
       if (!fleet) fleet.reset(new topobag::FleetBag(bag_of(address, classes)));
       fleet->follow();
       const auto view = fleet->view();
-      tell_if_new(std::to_string(view->size()) + " key frames of " +
-                  std::to_string(view->sessions().size()) + " sessions");
+      if (!followed && view->size() == 0 && !fleet->refused().empty()) {
+        throw InputError(refusal_text(fleet->refused()));
+      }
+      followed = true;
+      if_new(says.count, std::to_string(view->size()) + " key frames of " +
+                             std::to_string(view->sessions().size()) + " sessions");
     } catch (const InputError&) {
       throw;
     } catch (const topobag::Error& error) {
-      tell_if_new(error.what());
+      why = error.what();
+      if (followed || !time || Clock::now() < end) if_new(says.trouble, why);
     }
     if (!fleet) {
       std::this_thread::sleep_for(std::chrono::milliseconds(500));
       continue;
     }
-    for (; refused < fleet->refused().size(); ++refused) tell(fleet->refused()[refused]);
+    const std::vector<std::string>& all = fleet->refused();
+    if (refused < all.size()) {
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>(refused);
+      says.trouble(refusal_text({first, all.end()}));
+      refused = all.size();
+    }
     fleet->wait();
   } while (!time || Clock::now() < end);
+  if (followed) return;
+  throw topobag::Error("nothing could be read in " + std::to_string(time->count()) + " s: " + why);
 }
 
 std::vector<SiteFigures> fleet_status(const FleetAddress& address) {
   std::vector<SiteFigures> figures;
   topobag::PostgresStore store(address.conninfo);
+  std::vector<std::string> asked = address.sites;
+  if (!asked.empty()) asked = sites_of(address, store);
   for (const topobag::FleetSite& site : store.sites()) {
+    const bool named = std::count(asked.begin(), asked.end(), site.name) > 0;
+    if (!asked.empty() && !named) continue;
     figures.push_back({site.name, site.versions, site.robots});
   }
   return figures;

@@ -28,7 +28,7 @@ void admit_to_fleet(const FleetAddress&, const std::string&) { refuse(); }
 std::size_t push_to_fleet(const FleetAddress&, const std::string&) { refuse(); }
 
 void follow_fleet(const FleetAddress&, const ObjectClasses&, std::optional<std::chrono::seconds>,
-                  const std::function<void(const std::string&)>&) {
+                  const FollowSays&) {
   refuse();
 }
 

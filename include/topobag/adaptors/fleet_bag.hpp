@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/adaptors/fleet/enlist_with_server.hpp>
 #include <topobag/adaptors/fleet/fleet_outbox.hpp>
 #include <topobag/adaptors/fleet/fleet_version.hpp>
 #include <topobag/adaptors/fleet/fleet_view.hpp>

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/adaptors/detail/append_versions.hpp>
 #include <topobag/adaptors/detail/postgres_catalog.hpp>
 #include <topobag/adaptors/detail/postgres_connection.hpp>
 #include <topobag/adaptors/detail/postgres_parameters.hpp>
 #include <topobag/adaptors/detail/postgres_rows.hpp>
 #include <topobag/adaptors/detail/postgres_schema.hpp>
-#include <topobag/adaptors/detail/refuse_append.hpp>
 #include <topobag/adaptors/fleet/fleet_cursor.hpp>
 #include <topobag/adaptors/fleet/fleet_site.hpp>
 #include <topobag/adaptors/fleet/fleet_version.hpp>
@@ -86,6 +86,14 @@ class PostgresStore {
     }
   }
 
+  /// Whether the server knows a role of this name.
+  bool has_role(const std::string& name) {
+    return connection()
+        .run("SELECT EXISTS (SELECT FROM pg_roles WHERE rolname = $1::name)",
+             detail::PostgresParameters().add(detail::postgres_text, name))
+        .flag(0, 0);
+  }
+
   /// The sites that may be read. O(sites).
   std::vector<std::string> site_names() {
     const auto rows = connection().run("SELECT site FROM topobag.site ORDER BY site");
@@ -129,23 +137,18 @@ class PostgresStore {
   /// another content under the same number: two copies of one map are in use.
   std::size_t append(const std::vector<FleetVersion>& versions) {
     if (versions.empty()) return 0;
-    std::size_t added = 0;
     detail::PostgresConnection& server = connection();
     detail::PostgresTransaction transaction(server);
-    try {
-      added = server.run(detail::postgres_append, detail::row_parameters(versions)).changed();
-    } catch (const detail::PostgresRefusal& refusal) {
-      detail::refuse_append(refusal, versions.front().key);
-    }
-    if (added < versions.size() &&
-        server.run(detail::postgres_contradicted, detail::name_parameters(versions)).integer(0, 0) >
-            0) {
-      throw InvalidId(server.name() + ": robot " + to_text(versions.front().key.robot) +
-                      " has other key frames there under the same numbers: a copy of the map " +
-                      "is in use; give one of them a new map");
-    }
+    const std::size_t added = detail::append_versions(server, versions);
     transaction.commit();
     return added;
+  }
+
+  /// Throws what `append` would of a version like this one, and adds nothing either way.
+  void require_taken(const FleetVersion& version) {
+    detail::PostgresConnection& server = connection();
+    const detail::PostgresTransaction undone(server);
+    detail::append_versions(server, {version});
   }
 
   /// The next versions of a site after the cursor, which goes on behind them: in the order of the

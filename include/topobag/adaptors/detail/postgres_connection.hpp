@@ -44,9 +44,13 @@ class PostgresConnection {
     const char* const keys[] = {"connect_timeout", "dbname", "client_encoding", nullptr};
     const char* const values[] = {patience.c_str(), conninfo.c_str(), "UTF8", nullptr};
     connection_.reset(PQconnectdbParams(keys, values, 1));
-    const auto part = [&](const char* text) { return std::string(text == nullptr ? "" : text); };
-    name_ = "PostgreSQL at " + part(PQhost(get())) + ", port " + part(PQport(get())) +
-            ", data base " + part(PQdb(get()));
+    name_ = "PostgreSQL";  // and what of its address could be read
+    const auto add = [&](const char* what, const char* text) {
+      if (text != nullptr && *text != '\0') name_ += what + std::string(text);
+    };
+    add(" at ", PQhost(get()));
+    add(", port ", PQport(get()));
+    add(", data base ", PQdb(get()));
     if (PQstatus(get()) != CONNECTION_OK) lose(said());
     PQsetNoticeProcessor(
         get(), [](void*, const char*) {}, nullptr);  // stderr is the program's

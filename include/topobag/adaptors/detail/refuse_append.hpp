@@ -13,19 +13,21 @@ inline namespace v0 {
 namespace detail {
 
 /// Throws why a server takes no versions: what its word means to the robot.
-/// @param key  of the first of them
-[[noreturn]] inline void refuse_append(const PostgresRefusal& refusal, const FleetKey& key) {
-  const std::string what = refusal.what();
+/// @param server  its name, for people
+/// @param key     of the first of them
+[[noreturn]] inline void refuse_append(const PostgresRefusal& refusal, const std::string& server,
+                                       const FleetKey& key) {
   const std::string site = "site '" + key.site + "'";
   if (refusal.constraint() == "catalog_of_site") {
-    throw FormatError(what + ": the classes of " + site +
+    throw FormatError(server + ": the classes of " + site +
                       " mean other names than the map's; make the map with those");
   }
   if (refusal.code() == "23514") {
-    throw Error(what + ": there is no " + site + "; its owner makes it with `topobag fleet init`");
+    throw Error(server + ": there is no " + site +
+                "; its owner makes it with `topobag fleet init`");
   }
   if (refusal.code() == "42501") {
-    throw Error(what + ": this role may not add key frames of robot " + to_text(key.robot) +
+    throw Error(server + ": this role may not add key frames of robot " + to_text(key.robot) +
                 " at " + site + "; the owner admits it with `topobag fleet admit`");
   }
   throw refusal;
