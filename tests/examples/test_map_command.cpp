@@ -68,7 +68,9 @@ TEST_CASE("a map holds the key frames of its table, rounded", "[examples]") {
   for (const std::string& file : map_files) {
     const ScratchFolder folder;
     const std::string path = folder.path(file);
-    CHECK(output_of("map --nodes " + sample_map + sample_options + "--out " + path) ==
+    const std::string said =
+        output_of("map --nodes " + sample_map + sample_options + "--out " + path);
+    CHECK(said ==
           path + ": 67 key frames of fr1_xyz added to the " + program::map_kind_text(path) + '\n');
     const auto kept = program::read_map(path, {});
     REQUIRE(kept.size() == keyframes.size());

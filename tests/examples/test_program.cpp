@@ -36,10 +36,8 @@ TEST_CASE("wrong arguments end the program with one line and exit code 2", "[exa
 }
 
 TEST_CASE("missing input ends the program with its name and exit code 2", "[examples]") {
-  CHECK(
-      refusal("nodes --images nowhere --model nothing --out nodes --camera 500,500,320,240") ==
-      "nowhere: it is no sequence in the TUM RGB-D layout, which has associations.txt, or rgb.txt "
-      "and depth.txt");
+  CHECK(refusal("nodes --images nowhere --model nothing --out nodes --camera 500,500,320,240") ==
+        "nowhere: there is no such folder");
   CHECK(refusal("nodes --images nowhere --model nothing --out no/where --camera 500,500,320,240") ==
         "--out no/where: the folder does not exist; make it first");
 }
