@@ -101,7 +101,7 @@ RecognitionRun read_map_and_query(const MapAndQuery& tables, KeyframeOptions opt
 RecognitionRun read_sequence(const std::string& nodes, KeyframeOptions options,
                              const ImageSize& image_size) {
   options.camera = with_size(options.camera, image_size);
-  options.classes = classes_of_maps({nodes}, options.classes);
+  if (is_fleet_address(nodes)) options.classes = classes_of_maps({nodes}, options.classes);
   RecognitionRun run;
   run.classes = options.classes;
   run.map_set = run.query_set = set_name(nodes);
