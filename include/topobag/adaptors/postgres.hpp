@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <topobag/adaptors/detail/append_versions.hpp>
+#include <topobag/adaptors/detail/postgres_append.hpp>
 #include <topobag/adaptors/detail/postgres_catalog.hpp>
 #include <topobag/adaptors/detail/postgres_connection.hpp>
 #include <topobag/adaptors/detail/postgres_parameters.hpp>

@@ -6,7 +6,7 @@
 
 #include <topobag/adaptors/detail/postgres_connection.hpp>
 #include <topobag/adaptors/detail/postgres_rows.hpp>
-#include <topobag/adaptors/detail/refuse_append.hpp>
+#include <topobag/adaptors/detail/postgres_refusal.hpp>
 #include <topobag/adaptors/fleet/fleet_version.hpp>
 #include <topobag/adaptors/fleet/uuid.hpp>
 #include <topobag/error.hpp>
