@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -100,17 +101,17 @@ class SmallSlam {
     hooks_.PlacesTried(-1);
   }
 
-  /// Whether ids begin anew. Loop closing stands still meanwhile, as the hosts see to.
+  /// Whether ids begin anew. Loop closing stands still meanwhile, as the hosts see to; key frames
+  /// that it has not taken yet are deleted too, once they were told to be gone.
   bool give_up(host::Map& map) {
     const std::lock_guard<std::mutex> still(work_mutex_);
     const std::lock_guard<std::mutex> queue(queue_mutex_);
-    queue_.clear();
     host::give_up(hooks_, map);
-    std::vector<std::unique_ptr<host::KeyFrame>> kept;
-    for (auto& key_frame : key_frames_) {
-      if (!key_frame->is_in(map)) kept.push_back(std::move(key_frame));
+    for (auto* const list : {&queue_, &key_frames_}) {
+      list->erase(std::remove_if(list->begin(), list->end(),
+                                 [&](const auto& key_frame) { return key_frame->is_in(map); }),
+                  list->end());
     }
-    key_frames_ = std::move(kept);
     return !several;
   }
 

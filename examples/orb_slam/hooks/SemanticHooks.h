@@ -64,7 +64,8 @@ class SemanticHooks {
 
   /// May come late: the observer is told of the key frames that are there, as after a map was
   /// loaded. Returns when no thread is in a call of the observer before, which may then be deleted;
-  /// null: from then on nobody is told. Neither observer may wait for the caller meanwhile, nor the
+  /// null: from then on nobody is told, not of key frames that are deleted either, so that what
+  /// reads them has to be stopped before. Neither observer may wait for the caller meanwhile, nor the
   /// new one call the host.
   void SetObserver(Observer* observer) {
     std::unique_lock<std::mutex> lock(mutex_);
