@@ -54,20 +54,19 @@ void require_in_image(const std::string& set, const NodeTable& table,
                       const KeyframeOptions& options) {
   const topobag::PinholeCamera<>& camera = options.camera;
   std::size_t boxes = 0, outside = 0, begin_outside = 0;
-  double furthest = 0.0;
   Eigen::Vector2d reach = Eigen::Vector2d::Zero(), first = Eigen::Vector2d::Zero();
+  const double border = -0.1 * std::min(camera.width, camera.height);  // px; no detector's
   for (const FrameRow& frame : table.frames) {
     for (const topobag::RangedDetection& detection : frame.detections) {
       ++boxes;
       reach = reach.cwiseMax(Eigen::Vector2d(detection.box.x2, detection.box.y2));
-      furthest = reach.maxCoeff();
-      const double border = -0.1 * std::min(camera.width, camera.height);  // px; no detector's
       if (detection.box.x1 < border || detection.box.y1 < border) ++begin_outside;
       const Eigen::Vector2d center = detection.box.center();
       if (camera.in_image(center, -0.5)) continue;
       if (++outside == 1) first = center;
     }
   }
+  const double furthest = reach.maxCoeff();
   if (furthest > 0.0 && furthest <= 1.0) {
     throw InputError(set_name(set) + ".nodes.csv",
                      "every box lies in [0, 1], as shares of the image do; a table's are in px");
@@ -83,8 +82,7 @@ void require_in_image(const std::string& set, const NodeTable& table,
   if (5 * begin_outside > boxes) {
     why << begin_outside << " of " << boxes
         << " boxes begin far left of or above the image; u, v are a box's centre and w, h its "
-           "size, "
-           "not two corners";
+           "size, not two corners";
     throw InputError(set_name(set) + ".nodes.csv", why.str());
   }
   if (outside == 0) return;
