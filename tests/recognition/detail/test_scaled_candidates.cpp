@@ -137,8 +137,8 @@ TEST_CASE("what was found up to scale is told with its scale", "[recognition]") 
   for (const ExplainedMatch& match : explanation.candidates[0].matched) {
     CHECK(match.distance < 0.02);
   }
-  const auto& candidate = *relocalizer.map().find(KeyframeId{7});
-  CHECK(coincident_objects(candidate, query, *found.accepted->pose).size() == 10);
+  const auto candidate = relocalizer.map().find(KeyframeId{7});
+  CHECK(coincident_objects(*candidate, query, *found.accepted->pose).size() == 10);
   const Recognition known = Relocalizer<>(RecognitionOptions{}, relocalizer.map())
                                 .localize(room.seen_from(random_camera(random)));
   REQUIRE(known);
