@@ -74,7 +74,8 @@ class GroundPlane {
     const Eigen::Vector3d down = (gravity / gravity.cwiseAbs().maxCoeff()).normalized();
     const Eigen::Vector3d side = down.unitOrthogonal();
     Eigen::Matrix<double, 2, 3> axes;
-    axes << side.transpose(), down.cross(side).transpose();
+    axes.row(0) = side;
+    axes.row(1) = down.cross(side);
     return axes;
   }
 

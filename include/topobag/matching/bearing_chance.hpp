@@ -56,12 +56,12 @@ struct BearingChance {
   double size_outliers = 0.2;     ///< share of the sizes that tell nothing: misread boxes
 
   /// log10 P(bearings, sizes | same place, pose unknown) / P(bearings, sizes | chance). O(n).
-  /// @param pairs     at `pose`, at least three
+  /// @param pairs     a range of `BearingPair` at `pose`, at least three
   /// @param unmatched  bearings that are in no pair, while the camera has such objects in view
   /// @param pose      T_target_source of the camera in the map's frame, and its covariance
   /// @param vertical  where both frames know it
-  double log10_bayes_factor(const std::vector<BearingPair>& pairs, std::size_t unmatched,
-                            const RefinedPose& pose,
+  template <typename Pairs>
+  double log10_bayes_factor(const Pairs& pairs, std::size_t unmatched, const RefinedPose& pose,
                             const std::optional<SharedVertical>& vertical = std::nullopt) const {
     const double log_two_pi = 1.8378770664093453;
     const double log_area = std::log(solid_angle(pairs));
@@ -98,7 +98,8 @@ struct BearingChance {
   }
 
   /// Of the rectangle over which chance strews bearings, sr.
-  double solid_angle(const std::vector<BearingPair>& pairs) const {
+  template <typename Pairs>
+  double solid_angle(const Pairs& pairs) const {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const BearingPair& pair : pairs) middle += pair.direction;
     middle.normalize();

@@ -29,9 +29,10 @@ struct RangeRatio {
 namespace detail {
 
 /// How far away three points of known mutual distances are, seen under known angles.
+template <typename Vectors>
 class ThreeRanges {
  public:
-  ThreeRanges(const ThreeVectors& points, const ThreeVectors& bearings) {
+  ThreeRanges(const Vectors& points, const Vectors& bearings) {
     for (std::size_t i = 0; i < 3; ++i) {  // the pair that leaves point i out
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       squared_[i] = (points[j] - points[k]).squaredNorm();
@@ -119,7 +120,8 @@ class ThreeRanges {
 
 /// The axes of a triangle: along its first side, across it in its plane, and its normal. Nothing
 /// for three points on a line.
-inline std::optional<Eigen::Matrix3d> triangle_axes(const ThreeVectors& points) {
+template <typename Vectors>
+std::optional<Eigen::Matrix3d> triangle_axes(const Vectors& points) {
   const double least_sine = 1e-3;  // of the flattest triangle
   const Eigen::Vector3d a = points[1] - points[0], b = points[2] - points[0];
   const Eigen::Vector3d normal = a.cross(b);
@@ -146,9 +148,10 @@ inline std::optional<Eigen::Matrix3d> triangle_axes(const ThreeVectors& points) 
 /// @param ratio     within which the answers are looked for
 /// Returned are T_target_camera. None for points nearly on a line, for two bearings that are nearly
 /// one, and where no triangle of such sides is seen so. O(1).
-inline std::vector<Eigen::Isometry3d> poses_from_three_bearings(const ThreeVectors& points,
-                                                                const ThreeVectors& bearings,
-                                                                const RangeRatio& ratio = {}) {
+template <typename Vectors = ThreeVectors>
+std::vector<Eigen::Isometry3d> poses_from_three_bearings(const Vectors& points,
+                                                         const Vectors& bearings,
+                                                         const RangeRatio& ratio = {}) {
   std::vector<Eigen::Isometry3d> poses;
   const auto target_axes = detail::triangle_axes(points);
   const double least_angle = 1e-3;  // rad, between two bearings
@@ -156,9 +159,9 @@ inline std::vector<Eigen::Isometry3d> poses_from_three_bearings(const ThreeVecto
     if (!((bearings[i] - bearings[(i + 1) % 3]).norm() > least_angle)) return poses;
   }
   if (!target_axes) return poses;
-  for (const Eigen::Vector3d& ranges : detail::ThreeRanges(points, bearings).solutions(ratio)) {
-    const ThreeVectors seen{ranges(0) * bearings[0], ranges(1) * bearings[1],
-                            ranges(2) * bearings[2]};
+  for (const Eigen::Vector3d& ranges :
+       detail::ThreeRanges<Vectors>(points, bearings).solutions(ratio)) {
+    const Vectors seen{ranges(0) * bearings[0], ranges(1) * bearings[1], ranges(2) * bearings[2]};
     const auto axes = detail::triangle_axes(seen);
     if (!axes) continue;
     Eigen::Isometry3d T_target_camera = Eigen::Isometry3d::Identity();

@@ -38,8 +38,9 @@ struct PoseNegativeOptions {
   std::uint64_t min_id_gap = 30;  ///< or, where a stamp is not known, nearer in their ids
 
   /// Whether two poses of the query in the world are elsewhere from each other.
-  bool elsewhere(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T_world_b) const {
-    const Eigen::Isometry3d between = T_world_a.inverse() * T_world_b;
+  template <typename Pose>
+  bool elsewhere(const Pose& T_world_a, const Pose& T_world_b) const {
+    const Pose between = T_world_a.inverse() * T_world_b;
     return between.translation().norm() > max_translation ||
            Eigen::AngleAxisd(between.linear()).angle() > max_rotation;
   }

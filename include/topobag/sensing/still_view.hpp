@@ -41,7 +41,8 @@ class StillView {
   /// Throws InvalidValue for a pose that is no rigid motion. O(1).
   /// @param stamp           s
   /// @param T_world_camera  as tracking knows it now; small steps of odometry will do
-  bool should_look(double stamp, const Eigen::Isometry3d& T_world_camera) {
+  template <typename Pose>
+  bool should_look(double stamp, const Pose& T_world_camera) {
     require_rigid(T_world_camera, "the pose of the view");
     if (last_ && stamp >= last_->stamp && stamp - last_->stamp <= options_.max_age &&
         motion(last_->T_world_camera, T_world_camera) <= options_.max_motion) {

@@ -65,7 +65,8 @@ struct OfferedBearing {
   }
 
   /// The same, `range` m away, with a standard deviation of `along` m.
-  PointPair at(double range, double along) const {
+  template <typename Range>
+  PointPair at(Range range, Range along) const {
     const Eigen::Matrix3d ray = direction * direction.transpose();
     const double across = range * deviation;
     return {target,
@@ -78,7 +79,8 @@ struct OfferedBearing {
 };
 
 /// What a pair shows under a pose, as angles.
-inline BearingPair bearing_pair(const OfferedBearing& pair, const Eigen::Isometry3d& T) {
+template <typename Pose>
+BearingPair bearing_pair(const OfferedBearing& pair, const Pose& T) {
   const PointPair points = pair.at(T);
   const Eigen::Vector3d ray = T.linear() * pair.direction;
   Eigen::Matrix<double, 3, 2> across;

@@ -135,7 +135,8 @@ class NodeColumns {
     of(Property::parts).push_back(parts);
   }
 
-  void add_covariance(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& ray) {
+  template <typename Covariance, typename Ray>
+  void add_covariance(const Covariance& covariance, const Ray& ray) {
     const Eigen::Vector3d direction = direction_of(ray);
     const double along2 = direction.dot(covariance * direction);
     const double across2 = (covariance.trace() - along2) / 2.0;
@@ -145,8 +146,8 @@ class NodeColumns {
         .push_back(std::clamp(deviation(along2), across - max_elongation, across + max_elongation));
   }
 
-  static Eigen::Matrix3d covariance_of(const Eigen::Vector3d& ray, std::int64_t along,
-                                       std::int64_t across) {
+  template <typename Ray>
+  static Eigen::Matrix3d covariance_of(const Ray& ray, std::int64_t along, std::int64_t across) {
     const double along2 = variance(along), across2 = variance(across);
     const Eigen::Vector3d direction = direction_of(ray);
     const Eigen::Matrix3d projection = direction * direction.transpose();
