@@ -167,6 +167,11 @@ void compare(const CompareArguments& arguments) {
     throw InputError(run.query_set,
                      "no query has a true place in the map by the protocol " + comparison.protocol);
   }
+  if (comparison.false_pairs == 0) {
+    throw InputError("--protocol " + comparison.protocol,
+                     "it calls no pair false, so that every ranking is right and nothing is "
+                     "compared; call fewer places true, or give a map that holds others too");
+  }
   score(run, scoring);
   const topobag::ScoreMatrix scores = place_scores(run);
   comparison.methods.push_back(default_method(run, scores, places.truth));
