@@ -146,13 +146,8 @@ void compare(const CompareArguments& arguments) {
   RecognitionRun run = read_run(arguments, arguments.keyframes);
   const KnownPlaces places = places_of(run, arguments);
   const Scoring scoring;
-  Comparison comparison{run.map_set,
-                        run.query_set,
-                        topobag::to_string(places.truth.protocol()),
-                        arguments.verified,
-                        0,
-                        0,
-                        {}};
+  Comparison comparison{run.map_set, run.query_set, topobag::to_string(places.truth.protocol()),
+                        arguments.verified};
 
   run.kept = KeptCandidates::tried;
   if (arguments.one_sequence()) {

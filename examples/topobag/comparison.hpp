@@ -30,7 +30,7 @@ struct Comparison {
   std::size_t verified = 0;     ///< best answers of a similarity that are verified
   std::size_t true_pairs = 0;   ///< by the protocol
   std::size_t false_pairs = 0;  ///< by the protocol
-  std::vector<ComparedMethod> methods;
+  std::vector<ComparedMethod> methods{};
 };
 
 /// A number that a comparison's table gives of a method.

@@ -87,8 +87,8 @@ TEST_CASE("the paper's whole pipeline is of single frames whatever the window", 
 }
 
 TEST_CASE("compare looks for earlier places of one table", "[examples]") {
-  const Json comparison = compare("compare --nodes " + sample_map +
-                                  " --min-gap 5 --protocol distance=0.1,angle=10");
+  const Json comparison =
+      compare("compare --nodes " + sample_map + " --min-gap 5 --protocol distance=0.1,angle=10");
   CHECK(comparison.at("protocol").get<std::string>().find("exclude-seconds=5,past-only") !=
         std::string::npos);
   const ProgramRun run =
