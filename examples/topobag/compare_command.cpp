@@ -146,13 +146,8 @@ void compare(const CompareArguments& arguments) {
   RecognitionRun run = read_run(arguments, arguments.keyframes);
   const KnownPlaces places = places_of(run, arguments);
   const Scoring scoring;
-  Comparison comparison{run.map_set,
-                        run.query_set,
-                        topobag::to_string(places.truth.protocol()),
-                        arguments.verified,
-                        0,
-                        0,
-                        {}};
+  Comparison comparison{run.map_set, run.query_set, topobag::to_string(places.truth.protocol()),
+                        arguments.verified};
 
   run.kept = KeptCandidates::tried;
   if (arguments.one_sequence()) {
@@ -166,6 +161,11 @@ void compare(const CompareArguments& arguments) {
   if (comparison.true_pairs == 0) {
     throw InputError(run.query_set,
                      "no query has a true place in the map by the protocol " + comparison.protocol);
+  }
+  if (comparison.false_pairs == 0) {
+    throw InputError("--protocol " + comparison.protocol,
+                     "it calls no pair false, so that every ranking is right and nothing is "
+                     "compared; call fewer places true, or give a map that holds others too");
   }
   score(run, scoring);
   const topobag::ScoreMatrix scores = place_scores(run);

@@ -88,10 +88,6 @@ std::string to_table(const Comparison& comparison) {
       << "AP, AUC-PR, R@100P and F1max of each query's best answer; R@K of the queries with a true "
          "place.\nAccepted and verdicts: the library's verification of a similarity's best "
       << comparison.verified << " answers.\n";
-  if (comparison.false_pairs == 0) {
-    out << "The protocol calls no pair false, so that every ranking is right: AP to F1max say "
-           "nothing here.\n";
-  }
   for (const ComparedMethod& method : comparison.methods) {
     out << "  ";
     name(method.name);

@@ -26,11 +26,11 @@ struct ComparedMethod {
 struct Comparison {
   std::string map_set;
   std::string query_set;
-  std::string protocol;      ///< what a true place is
-  std::size_t verified = 0;  ///< best answers of a similarity that are verified
+  std::string protocol;         ///< what a true place is
+  std::size_t verified = 0;     ///< best answers of a similarity that are verified
   std::size_t true_pairs = 0;   ///< by the protocol
-  std::size_t false_pairs = 0;  ///< without one every ranking is perfect
-  std::vector<ComparedMethod> methods;
+  std::size_t false_pairs = 0;  ///< by the protocol
+  std::vector<ComparedMethod> methods{};
 };
 
 /// A number that a comparison's table gives of a method.

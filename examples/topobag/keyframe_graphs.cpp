@@ -95,6 +95,7 @@ std::vector<Keyframe> read_object_place(const std::string& path, const KeyframeO
                                  return !options.keep.contains(catalog.dynamics(object.label()));
                                }),
                 objects.end());
+  tell_of_relation(options.objects, path);
   Keyframe place = object_map_place(objects, options.objects);
   if (options.matchable && !place.graph.is_matchable()) {
     throw InputError(path, "it has no three objects that stand still");

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iomanip>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/learn_confusion.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
 
 #include "csv_reader.hpp"
 #include "input_error.hpp"
@@ -18,6 +21,13 @@
 
 namespace program {
 namespace {
+
+/// Of the classes that a relation is learnt by, as its file has it.
+std::string fingerprint_text(const topobag::ClassCatalog& catalog) {
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << topobag::fingerprint(catalog);
+  return text.str();
+}
 
 using ObjectGraph = topobag::TopologyGraph<>;
 
@@ -158,7 +168,9 @@ void write_relation(const std::string& path, const MapRelation& relation,
                        {"query", catalog.name(shared.query)},
                        {"objects", shared.count}});
   }
-  write_file(path, output_text({{"scale", relation.scale},
+  write_file(path, output_text({{"map", relation.map},
+                                {"catalog", fingerprint_text(catalog)},
+                                {"scale", relation.scale},
                                 {"deviation", relation.deviation},
                                 {"classes", classes}},
                                true));
@@ -172,6 +184,13 @@ MapRelation read_relation(const std::string& path, const topobag::ClassCatalog& 
     const bool whole = file.is_object() && file.contains("scale") && file.contains("deviation") &&
                        file.contains("classes");
     if (!whole) throw InputError("it is no relation, as `topobag relate` writes one");
+    if (file.contains("map")) relation.map = file.at("map").get<std::string>();
+    if (file.contains("catalog") &&
+        file.at("catalog").get<std::string>() != fingerprint_text(catalog)) {
+      throw InputError("it was learnt of " + (relation.map.empty() ? "a map" : relation.map) +
+                       " by other classes than these; give --map-words and --classes as `topobag "
+                       "relate` had them, or learn it anew");
+    }
     relation.scale = file.at("scale").get<double>();
     relation.deviation = file.at("deviation").get<double>();
     if (!(relation.scale > 0.0 && relation.deviation > 0.0)) {

@@ -26,6 +26,7 @@ struct MapRelation {
   double scale = 1.0;                  ///< by which the map's lengths are longer than the queries'
   double deviation = 0.05;             ///< m; σ of the map's positions along each axis
   std::vector<SharedObjects> classes;  ///< ascending
+  std::string map{};                   ///< file name of the map it was learnt of; empty: not said
 };
 
 /// What was learnt, and what it rests on.
@@ -41,18 +42,21 @@ struct LearntRelation {
 /// fixed seed; each is judged as a match whose objects are all of one class. The deviation is what
 /// the coincident objects' residuals leave after the query's own covariances, along each axis.
 /// Nothing where fewer than four objects coincide. O(triples · map² · query · map).
-std::optional<LearntRelation> learn_relation(const std::vector<MappedObject>& map, const Keyframe& query);
+std::optional<LearntRelation> learn_relation(const std::vector<MappedObject>& map,
+                                             const Keyframe& query);
 
 /// P(the query's class | the map's) by what was learnt. Before anything is known, a class of the
 /// map is mostly called the same, or, where it is a word of the map alone, by any class of the
 /// queries.
 topobag::ClassConfusion confusion_of(const MapRelation& relation, const ObjectClasses& classes);
 
-/// Writes a relation as JSON. Throws topobag::Error.
+/// Writes a relation as JSON, with the fingerprint of the catalog. Throws topobag::Error.
+/// @param catalog  of the queries' classes and the map's
 void write_relation(const std::string& path, const MapRelation& relation,
                     const topobag::ClassCatalog& catalog);
 
-/// Reads one. Throws topobag::Error with the file.
+/// Reads one. Throws topobag::Error with the file, also where it was learnt by other classes; a
+/// file that does not say by which is taken at its classes' names.
 MapRelation read_relation(const std::string& path, const topobag::ClassCatalog& catalog);
 
 }  // namespace program

@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <system_error>
 #include <utility>
 
@@ -90,6 +91,20 @@ topobag::ClassId MappedObject::label() const {
   return std::max_element(weights.begin(), weights.end(),
                           [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
+}
+
+void tell_of_relation(const ObjectMapOptions& options, const std::string& map) {
+  if (options.relation.empty()) return;
+  const std::string name = std::filesystem::path(map).filename().string();
+  if (options.learnt_of.empty()) {
+    std::cerr << "topobag: " << options.relation
+              << " does not say of which map it was learnt, and is taken for one of " << map
+              << "; `topobag relate` writes one that does\n";
+  } else if (options.learnt_of != name) {
+    std::cerr << "topobag: " << options.relation << " was learnt of " << options.learnt_of
+              << " and is used for " << map << ": scale, deviation and words are those of the "
+              << "other\n";
+  }
 }
 
 bool is_object_map(const std::string& path) {

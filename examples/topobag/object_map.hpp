@@ -27,7 +27,13 @@ struct MappedObject {
 struct ObjectMapOptions {
   double deviation = 0.05;  ///< m; σ of a position along each axis, scaled
   double scale = 1.0;       ///< by which the map's lengths are too long
+  std::string relation{};   ///< file that says so; empty: none
+  std::string learnt_of{};  ///< file name of the map that the relation was learnt of; empty: unsaid
 };
+
+/// Says on stderr when the relation in use was learnt of a map of another name, or does not say of
+/// which.
+void tell_of_relation(const ObjectMapOptions& options, const std::string& map);
 
 /// Whether a file is a map of objects: by its first character, whatever its name.
 bool is_object_map(const std::string& path);

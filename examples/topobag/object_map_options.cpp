@@ -16,6 +16,8 @@ void add_object_map_options(CLI::App& command, ObjectMapOptions& objects, Object
       "--map-relation",
       [&](const std::string& path) {
         const MapRelation relation = read_relation(path, classes.catalog);
+        objects.relation = path;
+        objects.learnt_of = relation.map;
         objects.scale = relation.scale;
         objects.deviation = relation.deviation;
         classes.confusion = confusion_of(relation, classes);

@@ -14,6 +14,7 @@
 #include "option_use.hpp"
 #include "output_files.hpp"
 #include "path_kind.hpp"
+#include "recognition_run.hpp"
 
 namespace program {
 namespace {
@@ -62,7 +63,9 @@ void relate(const RelateArguments& arguments) {
   if (!believed) {
     throw InputError(arguments.map, "no alignment is believed: " + said.str());
   }
-  write_relation(arguments.out, learnt->relation, options.classes.catalog);
+  MapRelation relation = learnt->relation;
+  relation.map = name_of(arguments.map);
+  write_relation(arguments.out, relation, options.classes.catalog);
   std::cout << said.str();
 }
 

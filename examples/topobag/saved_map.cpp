@@ -217,6 +217,8 @@ std::vector<Keyframe> read_map(const std::string& map, const KeyframeOptions& op
                          info.T_world_camera, graph, SavedEntry{id, sessions[info.session]}});
   });
   if (keyframes.empty()) throw InputError(map, "the map holds no key frame");
+  // A saved map has a name of its own, whatever it was made of.
+  if (options.objects.learnt_of.empty()) tell_of_relation(options.objects, map);
   return keyframes;
 }
 

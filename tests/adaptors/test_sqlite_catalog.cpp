@@ -59,6 +59,18 @@ TEST_CASE("a map on disk keeps nothing that was not said of its classes", "[sqli
   CHECK(sqlite_catalog(nameless));
 }
 
+TEST_CASE("a size that could not be read again leaves a map without classes", "[sqlite]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("hall.db");
+  DescribedCatalog classes = warehouse();
+  (*classes.sizes)[ClassId{2}] = {1.0, -1.0};
+  CHECK(error_text([&] {
+          SqliteBag<> map(path, with_classes(classes));
+        }).find("class 'crate' is said to be 1 x -1 m") != std::string::npos);
+  { SqliteBag<> map(path, with_classes(warehouse())); }
+  CHECK_FALSE(difference(*sqlite_catalog(path), warehouse()));
+}
+
 TEST_CASE("a map of classes of which something else is said is refused", "[sqlite]") {
   const ScratchFolder folder;
   const std::string path = folder.path("hall.db");

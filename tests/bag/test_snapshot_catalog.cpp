@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <random>
 #include <sstream>
 #include <string>
@@ -90,6 +93,25 @@ TEST_CASE("a bag of classes of which something else is said is refused", "[bag][
   CHECK(error_text([&] {
           load(path, ClassCatalog::coco80());
         }).find(path + ": its class numbers mean other names than yours") == 0);
+}
+
+TEST_CASE("a size that could not be read again is not written", "[bag][snapshot]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("hall.bag");
+  const auto refusal_of = [&](const std::array<double, 2>& size) {
+    SaveOptions options;
+    options.catalog = warehouse();
+    (*options.catalog->sizes)[ClassId{2}] = size;
+    return error_text([&] { save(BagOfTopologyGraphs<>(), path, options); });
+  };
+  const std::string end = " m; give a width and a height above 0, or leave its size out";
+  CHECK(refusal_of({-1.0, 0.3}) == "class 'crate' is said to be -1 x 0.3" + end);
+  CHECK(refusal_of({0.0, 0.3}) == "class 'crate' is said to be 0 x 0.3" + end);
+  CHECK(refusal_of({0.3, std::nan("")}) == "class 'crate' is said to be 0.3 x nan" + end);
+  CHECK(refusal_of({HUGE_VAL, 1.0}) == "class 'crate' is said to be inf x 1" + end);
+  CHECK_FALSE(std::filesystem::exists(path));
+  CHECK(refusal_of({0.0, 0.0}) == "nothing was thrown");
+  CHECK(saved_catalog(path)->sizes->count(ClassId{2}) == 0);
 }
 
 TEST_CASE("a bag that keeps no classes is not asked what they are", "[bag][snapshot]") {

@@ -74,11 +74,12 @@ TEST_CASE("layouts that have nothing in common are not taken for one", "[example
 TEST_CASE("a relation is kept as it is", "[examples]") {
   const ScratchFolder folder;
   const auto coco = topobag::ClassCatalog::coco80();
-  const MapRelation relation{1.05, 0.03, {{coco.at("cup"), coco.at("vase"), 2.0}}};
+  const MapRelation relation{1.05, 0.03, {{coco.at("cup"), coco.at("vase"), 2.0}}, "desk.json"};
   write_relation(folder.path("relation.json"), relation, coco);
   const MapRelation read = read_relation(folder.path("relation.json"), coco);
   CHECK(read.scale == relation.scale);
   CHECK(read.deviation == relation.deviation);
+  CHECK(read.map == "desk.json");
   REQUIRE(read.classes.size() == 1);
   CHECK(read.classes[0].map == coco.at("cup"));
   CHECK(read.classes[0].query == coco.at("vase"));
@@ -95,6 +96,38 @@ TEST_CASE("a relation is kept as it is", "[examples]") {
   CHECK(said(R"({"scale": 1, "deviation": 0.1, "classes": [
           {"map": "sphinx", "query": "cup", "objects": 1}]})")
             .find("bad.json: unknown class 'sphinx'") == 0);
+}
+
+TEST_CASE("a relation learnt by other classes is refused", "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("relation.json");
+  ObjectClasses words, others, coco;
+  add_map_words(folder.write("words.txt", "mug\ngemstone\n"), words);
+  add_map_words(folder.write("others.txt", "gemstone\nmug\n"), others);
+  const ClassId cup = coco.catalog.at("cup");
+  write_relation(path, {1.05, 0.03, {{words.catalog.at("mug (map)"), cup, 2.0}}, "desk.json"},
+                 words.catalog);
+  CHECK(read_relation(path, words.catalog).classes[0].map == ClassId{80});
+  const std::string sentence =
+      " by other classes than these; give --map-words and --classes as `topobag relate` had them, "
+      "or learn it anew";
+  for (const ObjectClasses& other : {others, coco}) {
+    CHECK(error_in(folder, [&] { read_relation(path, other.catalog); }) ==
+          "relation.json: it was learnt of desk.json" + sentence);
+  }
+  // A topobag that did not say by which classes went by their names, and so do its files.
+  const std::string all = content_of(path);
+  const auto without = [&](const std::string& key) {
+    const std::size_t begin = all.find("\"" + key + "\"");
+    return std::string(all).erase(begin, all.find('\n', begin) + 1 - begin);
+  };
+  folder.write("relation.json", without("map"));
+  CHECK(error_in(folder, [&] { read_relation(path, coco.catalog); }) ==
+        "relation.json: it was learnt of a map" + sentence);
+  folder.write("relation.json", without("catalog"));
+  CHECK(read_relation(path, others.catalog).classes[0].map == ClassId{81});
+  folder.write("relation.json", R"({"catalog": 7, "scale": 1, "deviation": 1, "classes": []})");
+  CHECK_THROWS_AS(read_relation(path, coco.catalog), topobag::Error);
 }
 
 TEST_CASE("what is believed of a map's word before it was counted", "[examples]") {

@@ -88,6 +88,7 @@ TEST_CASE("another system's map with other words is related and localized in", "
                                        "--map-relation " + relation + common);
   CAPTURE(found.err);
   REQUIRE(found.exit_code == 0);
+  CHECK(found.err.empty());
   const auto json = nlohmann::json::parse(found.out);
   CHECK(json.at("accepted") == 5);
   CHECK(json.at("correct") == 5);
@@ -96,7 +97,7 @@ TEST_CASE("another system's map with other words is related and localized in", "
   // Without the words nothing is alike; a map in the queries' own words needs no relation.
   CHECK(refusal("localize --query " + folder.path("query") + " --map " + folder.path("coco.json") +
                 " --map-relation " + relation + relate_camera)
-            .find("unknown class 'mug (map)'") != std::string::npos);
+            .find(relation + ": it was learnt of words.json by other classes than these") == 0);
   const std::string alike = " --map " + folder.path("coco.json") + relate_camera;
   const auto plain = nlohmann::json::parse(
       run_program("localize --query " + folder.path("query") + alike + common).out);
@@ -104,6 +105,27 @@ TEST_CASE("another system's map with other words is related and localized in", "
   const auto elsewhere = nlohmann::json::parse(
       run_program("localize --query " + folder.path("other") + alike + common).out);
   CHECK(elsewhere.at("accepted") == 0);
+
+  // Another map in the same words, or who knows which, is told.
+  folder.write("copy.json", content_of(folder.path("words.json")));
+  const auto told_with = [&](const std::string& name, const std::string& file) {
+    const ProgramRun run =
+        run_program("localize --query " + folder.path("query") + " --map " + folder.path(name) +
+                    " --map-words " + folder.path("words.txt") + relate_camera + "--map-relation " +
+                    file + common);
+    CHECK(nlohmann::json::parse(run.out).at("correct") == 5);
+    return run.err;
+  };
+  CHECK(told_with("copy.json", relation) ==
+        "topobag: " + relation + " was learnt of words.json and is used for " +
+            folder.path("copy.json") + ": scale, deviation and words are those of the other\n");
+  auto earlier = nlohmann::json::parse(content_of(relation));
+  earlier.erase("map");
+  earlier.erase("catalog");
+  const std::string old = folder.write("old.json", earlier.dump());
+  CHECK(told_with("words.json", old) ==
+        "topobag: " + old + " does not say of which map it was learnt, and is taken for one of " +
+            folder.path("words.json") + "; `topobag relate` writes one that does\n");
 }
 
 TEST_CASE("a map of objects is saved as a map", "[examples]") {

@@ -2,9 +2,8 @@
 #include <sstream>
 #include <variant>
 
-#include <topobag/types/catalog_fingerprint.hpp>
-
 #include "bags.hpp"
+#include "described_catalog.hpp"
 #include "fields.hpp"
 #include "rooms.hpp"
 #include "similarities.hpp"
@@ -12,16 +11,11 @@
 namespace python {
 namespace {
 
-using topobag::ClassCatalog;
 using topobag::QueryOptions;
 using Unlocked = py::call_guard<py::gil_scoped_release>;
 using DefaultMap = MemoryMapBy<topobag::ClassPairDistanceHistogram>;
 using AnySimilarityArgument =
     std::variant<std::monostate, std::shared_ptr<Similarity>, OwnSimilarity::Callable>;
-
-std::uint64_t fingerprint_of(const std::optional<ClassCatalog>& catalog) {
-  return catalog ? topobag::fingerprint(*catalog) : 0;
-}
 
 std::shared_ptr<MemoryMap> memory_map(const AnySimilarityArgument& argument) {
   if (std::holds_alternative<std::monostate>(argument)) {
@@ -78,8 +72,8 @@ void define_change(py::class_<Map, std::shared_ptr<Map>>& type, const char* name
 }
 
 template <typename Bag>
-Bag loaded(const std::string& path, const std::optional<ClassCatalog>& catalog) {
-  return catalog ? topobag::load<Bag>(path, *catalog) : topobag::load<Bag>(path);
+Bag loaded(const std::string& path, const std::optional<ClassesArgument>& catalog) {
+  return catalog ? topobag::load<Bag>(path, described(*catalog)) : topobag::load<Bag>(path);
 }
 
 py::bytes snapshot_of(const Map& map) {
@@ -126,12 +120,12 @@ void bind_map(py::module_& module) {
           doc("BagOfTopologyGraphs.places"))
       .def(
           "save",
-          [](const Map& bag, const std::string& path, const std::optional<ClassCatalog>& catalog) {
-            bag.save(path, fingerprint_of(catalog));
-          },
+          [](const Map& bag, const std::string& path,
+             const std::optional<ClassesArgument>& catalog) { bag.save(path, described(catalog)); },
           py::arg("path"), py::arg("catalog") = py::none(), Unlocked(),
-          "Writes a snapshot, complete under its name or not at all; with `catalog`, it is read "
-          "with no other classes.")
+          "Writes a snapshot, complete under its name or not at all. It keeps the `catalog` (a "
+          "ClassCatalog, or a DescribedCatalog with what else is said of the classes), is read "
+          "with no other classes, and tells them (`saved_catalog`).")
       .def(
           "__len__", [](const Map& bag) { return bag.view()->size(); }, Unlocked())
       .def("__iter__", [](const Map& bag) { return py::iter(py::cast(ids_of(bag))); })
@@ -154,7 +148,7 @@ void bind_indexed(py::module_& module) {
       .def(py::init<>())
       .def_static(
           "load",
-          [](const std::string& path, const std::optional<ClassCatalog>& catalog) {
+          [](const std::string& path, const std::optional<ClassesArgument>& catalog) {
             return std::make_shared<IndexedMap>(loaded<Bag>(path, catalog));
           },
           py::arg("path"), py::arg("catalog") = py::none(), Unlocked(), doc("load"))
@@ -177,13 +171,13 @@ void bind_sqlite(py::module_& module) {
       .field("id", &topobag::MapSession::id)
       .field("name", &topobag::MapSession::name);
   py::class_<SqliteMap, Map, std::shared_ptr<SqliteMap>>(module, "SqliteBag", doc("SqliteBag"))
-      .def(py::init(
-               [](const std::string& path, bool read_only, std::optional<ClassCatalog> catalog) {
-                 topobag::SqliteOptions options;
-                 options.read_only = read_only;
-                 options.catalog = std::move(catalog);
-                 return std::make_shared<SqliteMap>(path, std::move(options));
-               }),
+      .def(py::init([](const std::string& path, bool read_only,
+                       const std::optional<ClassesArgument>& catalog) {
+             topobag::SqliteOptions options;
+             options.read_only = read_only;
+             options.catalog = described(catalog);
+             return std::make_shared<SqliteMap>(path, std::move(options));
+           }),
            py::arg("path"), py::arg("read_only") = false, py::arg("catalog") = py::none(),
            doc("SqliteBag.SqliteBag"))
       .def("begin_session", &SqliteMap::begin_session, py::arg("name"), Unlocked(),
@@ -204,7 +198,7 @@ void bind_bags(py::module_& module) {
            "ClassPairDistanceHistogram where it is left out.")
       .def_static(
           "load",
-          [](const std::string& path, const std::optional<ClassCatalog>& catalog) {
+          [](const std::string& path, const std::optional<ClassesArgument>& catalog) {
             return std::shared_ptr<MemoryMap>(
                 std::make_shared<DefaultMap>(loaded<Bag>(path, catalog)));
           },

@@ -16,10 +16,9 @@
 namespace python {
 
 /// Saves the bag behind a view.
-inline void save_view(const MapView& view, const std::string& path,
-                      std::uint64_t catalog_fingerprint) {
+inline void save_view(const MapView& view, const std::string& path, const Classes& classes) {
   topobag::SaveOptions options;
-  options.catalog_fingerprint = catalog_fingerprint;
+  options.catalog = classes;
   topobag::save(view, path, options);
 }
 
@@ -49,8 +48,8 @@ class MemoryMapBy : public MemoryMap {
     const WriteLock lock(mutex_);
     return bag_.erase(id);
   }
-  void save(const std::string& path, std::uint64_t catalog_fingerprint) const override {
-    save_view(*view(), path, catalog_fingerprint);
+  void save(const std::string& path, const Classes& classes) const override {
+    save_view(*view(), path, classes);
   }
 
  private:
@@ -67,7 +66,7 @@ class IndexedMap : public Map {
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info) override;
   void update(KeyframeId id, const Graph& graph, const EntryInfo& info) override;
   bool erase(KeyframeId id) override;
-  void save(const std::string& path, std::uint64_t catalog_fingerprint) const override;
+  void save(const std::string& path, const Classes& classes) const override;
 
   /// As the bag's own.
   std::map<KeyframeId, KeyframeId> merge(const IndexedMap& other,
@@ -94,7 +93,7 @@ class SqliteMap : public Map {
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info) override;
   void update(KeyframeId id, const Graph& graph, const EntryInfo& info) override;
   bool erase(KeyframeId id) override;
-  void save(const std::string& path, std::uint64_t catalog_fingerprint) const override;
+  void save(const std::string& path, const Classes& classes) const override;
 
   /// As the bag's own.
   std::uint32_t begin_session(const std::string& name);

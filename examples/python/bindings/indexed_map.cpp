@@ -57,8 +57,8 @@ bool IndexedMap::erase(KeyframeId id) {
   const std::lock_guard<std::mutex> lock(writing_);
   return bag_.erase(id);
 }
-void IndexedMap::save(const std::string& path, std::uint64_t catalog_fingerprint) const {
-  save_view(*view(), path, catalog_fingerprint);
+void IndexedMap::save(const std::string& path, const Classes& classes) const {
+  save_view(*view(), path, classes);
 }
 std::map<KeyframeId, KeyframeId> IndexedMap::merge(const IndexedMap& other,
                                                    const topobag::MergeOptions& options) {

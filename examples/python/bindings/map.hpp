@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/place_contents.hpp>
@@ -19,6 +20,7 @@ namespace python {
 
 using topobag::EntryInfo;
 using topobag::KeyframeId;
+using Classes = std::optional<topobag::DescribedCatalog>;
 using Graph = topobag::TopologyGraph<>;
 
 /// A bag as it stands, whichever it is: one way to query is compiled for all of them. Whoever holds
@@ -54,7 +56,8 @@ class Map {
   virtual void add(KeyframeId id, const Graph& graph, const EntryInfo& info) = 0;
   virtual void update(KeyframeId id, const Graph& graph, const EntryInfo& info) = 0;
   virtual bool erase(KeyframeId id) = 0;
-  virtual void save(const std::string& path, std::uint64_t catalog_fingerprint) const = 0;
+  /// With the classes that the file keeps, or none.
+  virtual void save(const std::string& path, const Classes& classes) const = 0;
 };
 
 /// A bag in the library's sense that refers to Python's: a recogniser's own changes with it.

@@ -23,6 +23,7 @@ PYBIND11_MODULE(_topobag, module) {
   python::bind_matching(module);
   python::bind_images(module);
   python::bind_queries(module);
+  python::bind_described_catalog(module);
   python::bind_bags(module);
   python::bind_calibration(module);
   python::bind_recognition(module);

@@ -3,6 +3,7 @@
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 
+#include "described_catalog.hpp"
 #include "fields.hpp"
 #include "rooms.hpp"
 
@@ -31,11 +32,15 @@ void bind_options(py::module_& module) {
       .field("decision", &RecognitionOptions::decision);
   module.def(
       "recognition_options",
-      [](const ClassCatalog& catalog, const SensorProfile& sensor) {
-        return recognition_options(catalog, sensor);
+      [](const ClassesArgument& catalog, const SensorProfile& sensor) {
+        const program::ObjectClasses classes = object_classes(catalog);
+        RecognitionOptions options = recognition_options(classes.catalog, sensor);
+        options.matching.consistency.classes = classes.lookalikes;
+        return options;
       },
       py::arg("catalog"), py::arg_v("sensor", SensorProfile(), "SensorProfile()"),
-      "The defaults for nodes with the labels of a catalog, as a sensor sees them.");
+      "The defaults for nodes with the labels of a catalog, as a sensor sees them; of a "
+      "DescribedCatalog with the classes that look alike.");
   Fields<LoopOptions>(module, "LoopOptions")
       .field("min_gap", &LoopOptions::min_gap)
       .field("recognition", &LoopOptions::recognition);

@@ -19,6 +19,7 @@ void bind_local_graph(pybind11::module_& module);
 void bind_matching(pybind11::module_& module);
 void bind_images(pybind11::module_& module);
 void bind_queries(pybind11::module_& module);
+void bind_described_catalog(pybind11::module_& module);
 void bind_bags(pybind11::module_& module);
 void bind_calibration(pybind11::module_& module);
 void bind_recognition(pybind11::module_& module);

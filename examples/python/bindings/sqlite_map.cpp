@@ -18,8 +18,8 @@ bool SqliteMap::erase(KeyframeId id) {
   const WriteLock lock(mutex_);
   return bag_.erase(id);
 }
-void SqliteMap::save(const std::string& path, std::uint64_t catalog_fingerprint) const {
-  save_view(*view(), path, catalog_fingerprint);
+void SqliteMap::save(const std::string& path, const Classes& classes) const {
+  save_view(*view(), path, classes);
 }
 std::uint32_t SqliteMap::begin_session(const std::string& name) {
   const WriteLock lock(mutex_);

@@ -3,6 +3,7 @@
 
 #include <pybind11/eigen.h>
 
+#include "described_catalog.hpp"
 #include "detections.hpp"
 #include "fields.hpp"
 #include "keyframe_graphs.hpp"
@@ -53,7 +54,7 @@ py::array_t<double> poses_of(const NodeTable& table) {
 
 std::vector<Keyframe> keyframes_from(const std::string& set, const topobag::PinholeCamera<>& camera,
                                      double interval, double window, double min_confidence,
-                                     const topobag::ClassCatalog& catalog,
+                                     const ClassesArgument& catalog,
                                      const std::optional<Eigen::Vector3d>& world_up,
                                      const std::string& trajectory) {
   program::KeyframeOptions options;
@@ -61,7 +62,7 @@ std::vector<Keyframe> keyframes_from(const std::string& set, const topobag::Pinh
   options.interval = interval;
   options.window = window;
   options.min_confidence = min_confidence;
-  options.classes = {catalog, topobag::lookalike_classes(catalog)};
+  options.classes = object_classes(catalog);
   options.gravity.world_up = world_up;
   options.trajectory = trajectory;
   return program::read_keyframes(set, options);
@@ -141,7 +142,8 @@ void bind_tables(py::module_& module) {
       "`interval` s (0 = every frame), fused over `window` s (0 = single frames, with the "
       "paper's edges), of detections with a score of `min_confidence` or more. `world_up` "
       "tells the graphs which way is down; `trajectory` is a file of the frames' poses, "
-      "instead of the table's. The camera needs its image size. Raises Error with the file.");
+      "instead of the table's. A `catalog` may say which classes look alike and how large they "
+      "are, as a DescribedCatalog. The camera needs its image size. Raises Error with the file.");
 }
 
 }  // namespace python

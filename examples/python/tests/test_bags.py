@@ -146,15 +146,3 @@ def test_an_indexed_bag_merges_and_compacts(random):
     usage = a.memory_usage()
     assert usage.nodes == sum(len(a[id]) for id in a)
     assert usage.bytes_per_node() == usage.total() / usage.nodes > 0
-
-
-def test_maps_keep_what_a_catalog_says_of_their_classes(random, tmp_path):
-    path, snapshot = str(tmp_path / "map.db"), str(tmp_path / "map.bag")
-    catalog = topobag.ClassCatalog.coco80()
-    topobag.SqliteBag(path, catalog=catalog).add(1, random_graph(random))
-    topobag.SqliteBag(path, read_only=True, catalog=catalog).save(snapshot, catalog)
-    catalog.set_dynamics(catalog["couch"], topobag.Dynamics.high)
-    with pytest.raises(topobag.FormatError, match="class 'couch' is of low dynamics in the map and of high in yours"):
-        topobag.SqliteBag(path, catalog=catalog)
-    assert len(topobag.SqliteBag(path, read_only=True)) == 1
-    assert len(topobag.IndexedBag.load(snapshot, catalog)) == 1  # which keeps the names alone

@@ -46,6 +46,15 @@ def test_what_does_not_fit_is_told(sample):
         topobag.compare(sample[1][:3], sample[0][:4], {"mine": lambda p, q: 1 / 0})
 
 
+def test_a_protocol_under_which_no_ranking_could_be_wrong_is_refused(sample):
+    queries, entries = sample[1][::6], sample[0][::6]
+    jaccard = {"class counts, Jaccard": topobag.ClassHistogram()}
+    with pytest.raises(topobag.InvalidValue, match="the protocol distance=500 calls no pair false"):
+        topobag.compare(queries, entries, protocol="distance=500", similarities=jaccard)
+    apart = topobag.compare(queries, entries, protocol="distance=0.2", similarities=jaccard)
+    assert 0.0 < apart["class counts, Jaccard"].metrics.average_precision < 1.0
+
+
 def test_every_picture_is_drawn(sample, relocalizer, comparison, tmp_path):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")

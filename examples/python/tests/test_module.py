@@ -37,10 +37,10 @@ def test_what_the_headers_say_is_what_python_says():
     assert "Mirror images fall out in the rigid fit" in core.match_graphs.__doc__
 
 
-#: Those that hold groups or weights of classes, which do not pickle.
+#: Those that hold a catalog, groups or weights of classes, which do not pickle.
 HOLD_CLASSES = {
     "AffinityCosine", "ChangeOptions", "ClassHistogram", "ClassPairDistanceHistogram", "ConsistencyOptions",
-    "LabelWalks", "LoopOptions", "MatchOptions", "RecognitionOptions", "SurroundingLabels",
+    "DescribedCatalog", "LabelWalks", "LoopOptions", "MatchOptions", "RecognitionOptions", "SurroundingLabels",
 }  # fmt: skip
 
 

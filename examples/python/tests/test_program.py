@@ -153,3 +153,65 @@ def test_a_map_of_the_program_is_read(tmp_path, sample):
         assert len(bag) > 50
         for keyframe in sample[0][10:13]:
             assert bag[keyframe.idx].encode() == keyframe.graph.encode()
+
+
+def own_classes(folder):
+    """COCO's classes and one more, of which other things are said, and the same as the program's file."""
+    catalog = topobag.ClassCatalog.coco80()
+    catalog.add(80, "fume hood", topobag.Dynamics.medium)
+    catalog.set_dynamics(catalog["mouse"], topobag.Dynamics.high)
+    alike = topobag.ClassGroups()
+    alike.join(catalog["tv"], catalog["microwave"])
+    sizes = {catalog["keyboard"]: [0.45, 0.15], catalog["laptop"]: [0.35, 0.25]}
+    classes = topobag.DescribedCatalog(catalog, alike, sizes)
+    others = {"tv": "microwave"}
+    rows = []
+    for id in catalog:
+        size = " x ".join(map(str, sizes[id])) if id in sizes else ""
+        rows.append(f"{catalog.name(id)}, {catalog.dynamics(id).name}, {others.get(catalog.name(id), '')}, {size}\n")
+    file = folder / "classes.txt"
+    file.write_text("".join(rows))
+    return classes, file
+
+
+def saved(path, keyframes, classes):
+    """A map of key frames at a path, made in Python."""
+    bag = topobag.SqliteBag(path, catalog=classes) if path.endswith(".db") else topobag.IndexedBag()
+    if path.endswith(".db"):
+        assert bag.begin_session("fr1_xyz") == 0  # as the program calls it
+    for keyframe in keyframes:
+        bag.add(keyframe.idx, keyframe.graph, stamp=keyframe.stamp, T_world_camera=keyframe.T_world_camera)
+    if not path.endswith(".db"):
+        bag.save(path, classes)
+
+
+@pytest.mark.parametrize("name, kept_in", [("own.bag", topobag.saved_catalog), ("own.db", topobag.sqlite_catalog)])
+def test_the_program_goes_by_the_classes_of_a_map_of_python(tmp_path, name, kept_in):
+    classes, file = own_classes(tmp_path)
+    keyframes = topobag.read_keyframes(str(SAMPLE / "fr1_xyz"), FR1, catalog=classes)
+    assert len(keyframes) > 40
+    path, other = str(tmp_path / name), str(tmp_path / ("program_" + name))
+    saved(path, keyframes, classes)
+    camera = ["--camera", text(FR1)]
+    look_up = ["localize", "--query", str(SAMPLE / "fr1_rpy"), *camera, "--map"]
+    found = told(*look_up, path)
+    assert found["accepted"] > 0
+    assert found["matches"] == told(*look_up, path, "--classes", str(file))["matches"]
+    made = subprocess.run(
+        [str(PROGRAM), "map", "--nodes", str(SAMPLE / "fr1_xyz"), *camera, "--classes", str(file), "--out", other],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert made.returncode == 0, made.stderr
+    assert found["matches"] == told(*look_up, other)["matches"]
+    assert topobag.difference(kept_in(other), kept_in(path)) is None
+    assert topobag.difference(kept_in(other), classes) is None and kept_in(other).sizes == classes.sizes
+
+    file.write_text(file.read_text().replace("0.45 x 0.15", "0.45 x 0.2"))
+    refused = subprocess.run(
+        [str(PROGRAM), *look_up, path, "--classes", str(file)], capture_output=True, text=True, check=False
+    )
+    classes.sizes = {**classes.sizes, classes.catalog["keyboard"]: [0.45, 0.2]}
+    classes.source = str(file)
+    with pytest.raises(topobag.FormatError, match="class 'keyboard' is typically 0.45 x 0.15 m in the map") as error:
+        topobag.SqliteBag(path, True, classes) if name == "own.db" else topobag.IndexedBag.load(path, classes)
+    assert refused.returncode == 2 and refused.stderr == f"topobag: {error.value}\n"

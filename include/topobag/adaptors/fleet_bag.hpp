@@ -19,52 +19,19 @@
 #include <vector>
 
 #include <topobag/adaptors/fleet/enlist_with_server.hpp>
-#include <topobag/adaptors/fleet/fleet_outbox.hpp>
+#include <topobag/adaptors/fleet/fleet_options.hpp>
 #include <topobag/adaptors/fleet/fleet_version.hpp>
 #include <topobag/adaptors/fleet/fleet_view.hpp>
+#include <topobag/adaptors/fleet/push.hpp>
 #include <topobag/adaptors/postgres.hpp>
+#include <topobag/bag/described_catalog.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/indexed_bag.hpp>
 #include <topobag/error.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
 
 namespace topobag {
 inline namespace v0 {
-
-/// A server, and the sites that are followed there.
-struct FleetSource {
-  std::string conninfo;            ///< as `PostgresStore` has it
-  std::vector<std::string> sites;  ///< their names
-};
-
-/// How a fleet is followed.
-struct FleetOptions {
-  std::uint64_t catalog = 0;  ///< fingerprint that all key frames' classes must have; 0 = any
-  ViewSection views = ViewSection::kept;  ///< whether graphs keep their views
-  std::chrono::milliseconds silence = std::chrono::seconds(30);  ///< as `PostgresStore` has it
-};
-
-/// Sends what the server lacks of a robot's map, in order, in batches of one transaction each.
-/// Whatever stops it, and wherever: called again, it goes on with what is missing, which the server
-/// itself says. Returns how many versions were added. Throws as `PostgresStore::append`, and
-/// InvalidId when the server knows more of the map than the map does: it is an old copy.
-inline std::size_t push(const FleetOutbox& outbox, PostgresStore& store, std::size_t batch = 1000) {
-  const FleetMember& member = outbox.member();
-  std::int64_t sent = store.last_seq(member.site, member.robot, outbox.sessions());
-  if (sent > outbox.last_seq()) {
-    throw InvalidId(outbox.path() + ": the server holds change " + std::to_string(sent) +
-                    " of this map, whose last is " + std::to_string(outbox.last_seq()) +
-                    ": it is an old copy; go on with the latest, or a new map");
-  }
-  // The last one is sent again: the server tells a copy of the map that went another way since.
-  sent = std::max<std::int64_t>(0, sent - 1);
-  std::size_t added = 0;
-  for (;;) {
-    const std::vector<FleetVersion> versions = outbox.after(sent, batch);
-    if (versions.empty()) return added;
-    added += store.append(versions);
-    sent = versions.back().seq;
-  }
-}
 
 /// All key frames of chosen sites, of all robots, on any number of servers, in one bag in memory:
 /// looked up exactly and near the asker, kept up to date by `follow`.
@@ -81,29 +48,47 @@ class FleetBag {
 
   /// Connects when it is asked to.
   explicit FleetBag(std::vector<FleetSource> sources, FleetOptions options = {})
-      : options_(options), bag_({}, options.views), shown_(std::make_unique<Shown>()) {
+      : options_(std::move(options)), bag_({}, options_.views), shown_(std::make_unique<Shown>()) {
+    if (options_.classes) options_.catalog = fingerprint(options_.classes->catalog);
     for (FleetSource& source : sources) {
-      feeds_.push_back({PostgresStore(std::move(source.conninfo), options.silence), {}});
-      for (std::string& site : source.sites) feeds_.back().cursors[std::move(site)];
+      feeds_.push_back({PostgresStore(std::move(source.conninfo), options_.silence), {}});
+      for (std::string& site : source.sites) feeds_.back().sites[std::move(site)];
       feeds_.back().store.listen();
     }
   }
 
   /// Takes in what is new on every server; returns how many versions. When a server cannot be
   /// asked, what the others had is in, and Error tells of the first that failed; the next call goes
-  /// on where this one stopped, over a new connection.
+  /// on where this one stopped, over a new connection. So it is with a site that says something
+  /// else of the options' classes: nothing of it is taken, and FormatError tells what.
   std::size_t follow() {
     std::size_t taken = 0;
     std::exception_ptr failure;
     for (Feed& feed : feeds_) {
       try {
-        for (auto& [site, cursor] : feed.cursors) taken += follow_site(feed.store, site, cursor);
+        for (auto& [site, followed] : feed.sites) {
+          try {
+            taken += follow_site(feed.store, site, followed);
+          } catch (const FormatError&) {
+            if (!failure) failure = std::current_exception();
+          }
+        }
       } catch (const Error&) {
         if (!failure) failure = std::current_exception();
       }
     }
     if (failure) std::rethrow_exception(failure);
     return taken;
+  }
+
+  /// What a server says of the classes of a site that is followed there, the first that says more
+  /// than their fingerprint; nothing where none does. Throws as `PostgresStore::site_catalog`.
+  std::optional<DescribedCatalog> site_catalog(const std::string& site) {
+    for (Feed& feed : feeds_) {
+      if (feed.sites.count(site) == 0) continue;
+      if (auto classes = feed.store.site_catalog(site)) return classes;
+    }
+    return std::nullopt;
   }
 
   /// Waits until a server says that there is something new, or the time is up: then `follow` is
@@ -141,9 +126,13 @@ class FleetBag {
   const std::vector<std::string>& refused() const noexcept { return refused_; }
 
  private:
+  struct FollowedSite {
+    FleetCursor cursor;
+    bool agreed = false;  ///< its classes are the options', as far as it says
+  };
   struct Feed {
     PostgresStore store;
-    std::map<std::string, FleetCursor> cursors;  ///< by site
+    std::map<std::string, FollowedSite> sites;  ///< by name
   };
   /// What readers share with the thread that follows.
   struct Shown {
@@ -152,15 +141,18 @@ class FleetBag {
         std::make_shared<const FleetView::Sessions>();
   };
 
-  std::size_t follow_site(PostgresStore& store, const std::string& site, FleetCursor& cursor) {
+  std::size_t follow_site(PostgresStore& store, const std::string& site, FollowedSite& followed) {
     std::size_t taken = 0;
     // Pages grow: the server sorts a transaction anew for each, and a replica's first copy is one.
     for (std::size_t page_size = 5000;; page_size = std::min<std::size_t>(2 * page_size, 40000)) {
-      FleetCursor next = cursor;
+      FleetCursor next = followed.cursor;
       const std::vector<ReadVersion> page = store.read(site, next, page_size);
+      // Once they are read: what a site says of its classes, it has said before its first version.
+      if (options_.classes && !followed.agreed) store.require_classes(site, *options_.classes);
+      followed.agreed = followed.agreed || !page.empty();
       note_sessions(page);
       for (const ReadVersion& read : page) taken += std::size_t{take(read)};
-      cursor = next;  // acknowledged: all of the page is in
+      followed.cursor = next;  // acknowledged: all of the page is in
       if (page.empty()) return taken;
     }
   }

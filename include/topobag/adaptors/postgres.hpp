@@ -70,6 +70,12 @@ class PostgresStore {
     return detail::read_classes(connection(), name);
   }
 
+  /// Throws FormatError for a site whose classes have other names, or of which it says something
+  /// else; what either leaves unsaid is not compared. O(classes · log classes).
+  void require_classes(const std::string& name, const DescribedCatalog& classes) {
+    detail::require_site_classes(connection(), name, classes);
+  }
+
   /// Lets a role read a site, and add versions of one robot there where one is named; for the
   /// owner.
   void admit(const std::string& role, const std::string& site,
@@ -169,7 +175,7 @@ class PostgresStore {
                                      .add(detail::postgres_int8, std::uint64_t{max_versions}));
     std::vector<ReadVersion> versions;
     for (int row = 0; row < rows.rows(); ++row) {
-      versions.push_back(read_row(rows, row, site));
+      versions.push_back(detail::read_row(rows, row, site));
       next.arrival = rows.bits(row, 0);
       next.robot = rows.uuid(row, 1);
       next.session = rows.uuid(row, 2);
@@ -219,23 +225,6 @@ class PostgresStore {
     }
     const bool standby = rows.flag(0, 2);  // cannot notify; it is asked from time to time
     if (listening_ && !standby) connection_->run("LISTEN topobag");
-  }
-
-  static ReadVersion read_row(const detail::PostgresResult& rows, int row,
-                              const std::string& site) {
-    ReadVersion read;
-    try {
-      read.version = detail::read_version(rows, row, site);
-      if (detail::checksum_of(read.version) != rows.integer(row, 18)) {
-        read.fault = "its checksum does not fit: it is damaged";
-      }
-    } catch (const Error& error) {
-      read.version.key = {site, rows.uuid(row, 1), rows.uuid(row, 2),
-                          KeyframeId{rows.bits(row, 4)}};
-      read.version.seq = rows.integer(row, 3);
-      read.fault = error.what();
-    }
-    return read;
   }
 
   std::string conninfo_;

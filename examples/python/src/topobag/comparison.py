@@ -109,12 +109,17 @@ def compare(
     """Holds similarities against each other on all pairs of two sequences of one world.
 
     `own` are yours, beside the library's; `similarities`, where given, stand in for the library's.
-    Key frames need true poses. Raises InvalidValue for key frames without one, or scores of another
-    shape.
+    Key frames need true poses. Raises InvalidValue for key frames without one, scores of another
+    shape, and a protocol that calls no pair false: every ranking would be right.
     """
     query_graphs = [keyframe.graph for keyframe in queries]
     entry_graphs = [keyframe.graph for keyframe in entries]
     truth = core.PlaceTruth(protocol, *(_trajectory(k) for k in (queries, entries)))
+    if not _has_false_pairs(truth):
+        raise core.InvalidValue(
+            f"the protocol {truth.protocol} calls no pair false, so that every ranking is right and nothing is "
+            "compared; call fewer places true, or give a map that holds others too"
+        )
     methods = []
     chosen = all_similarities(entry_graphs) if similarities is None else similarities
     for name, similarity in {**chosen, **(own or {})}.items():
@@ -129,6 +134,12 @@ def compare(
         )
     methods.sort(key=lambda m: -(m.metrics.average_precision if m.metrics else 0.0))
     return Comparison(protocol, tuple(methods))
+
+
+def _has_false_pairs(truth: core.PlaceTruth) -> bool:
+    queries, entries = truth.shape
+    false = core.PairRelation.negative
+    return any(truth.relation(i, j) == false for i in range(queries) for j in range(entries))
 
 
 def _trajectory(keyframes: Sequence[core.Keyframe]) -> core.Trajectory:

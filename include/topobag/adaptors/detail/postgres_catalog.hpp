@@ -13,6 +13,7 @@
 #include <topobag/bag/described_catalog.hpp>
 #include <topobag/bag/detail/storage/class_traits.hpp>
 #include <topobag/error.hpp>
+#include <topobag/types/catalog_fingerprint.hpp>
 #include <topobag/types/dynamics.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -79,6 +80,21 @@ inline std::optional<DescribedCatalog> read_classes(PostgresConnection& connecti
     throw FormatError(connection.name() + ": the classes of site '" + site +
                       "' cannot be read: " + error.what());
   }
+}
+
+/// Throws FormatError for a site whose classes have other names, or of which it says something
+/// else.
+inline void require_site_classes(PostgresConnection& connection, const std::string& site,
+                                 const DescribedCatalog& classes) {
+  const std::optional<DescribedCatalog> kept = read_classes(connection, site);
+  if (!kept) return;
+  const std::string where = connection.name() + ": site '" + site + "': ";
+  if (fingerprint(kept->catalog) != fingerprint(classes.catalog)) {
+    throw FormatError(where +
+                      "its class numbers mean other names than yours; open it with the catalog "
+                      "that it was made with");
+  }
+  require_same_classes(*kept, classes, where);
 }
 
 }  // namespace detail

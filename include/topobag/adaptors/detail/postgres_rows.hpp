@@ -159,6 +159,22 @@ inline FleetVersion read_version(const PostgresResult& rows, int row, const std:
   return version;
 }
 
+/// The same, or as much of it as could be read and why it is damaged.
+inline ReadVersion read_row(const PostgresResult& rows, int row, const std::string& site) {
+  ReadVersion read;
+  try {
+    read.version = read_version(rows, row, site);
+    if (checksum_of(read.version) != rows.integer(row, 18)) {
+      read.fault = "its checksum does not fit: it is damaged";
+    }
+  } catch (const Error& error) {
+    read.version.key = {site, rows.uuid(row, 1), rows.uuid(row, 2), KeyframeId{rows.bits(row, 4)}};
+    read.version.seq = rows.integer(row, 3);
+    read.fault = error.what();
+  }
+  return read;
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace topobag

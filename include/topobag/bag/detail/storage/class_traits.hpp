@@ -10,6 +10,7 @@
 
 #include <topobag/bag/described_catalog.hpp>
 #include <topobag/error.hpp>
+#include <topobag/types/detail/value_lines.hpp>
 #include <topobag/types/dynamics.hpp>
 #include <topobag/types/ids.hpp>
 
@@ -23,6 +24,12 @@ struct ClassTraits {
   std::optional<ClassId> lookalike;           ///< the least class of its group
   std::optional<std::array<double, 2>> size;  ///< 0 = it has none
 };
+
+/// Whether it is a width and a height, m, that a class may have.
+inline bool is_size(const std::array<double, 2>& size) {
+  const auto [width, height] = size;
+  return width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height);
+}
 
 /// Throws FormatError for what no class has.
 inline void describe_class(DescribedCatalog& classes, ClassId id, const ClassTraits& traits) {
@@ -39,16 +46,13 @@ inline void describe_class(DescribedCatalog& classes, ClassId id, const ClassTra
   }
   if (traits.size) {
     if (!classes.sizes) classes.sizes.emplace();
-    const auto [width, height] = *traits.size;
-    if (width == 0.0 && height == 0.0) return;
-    if (!(width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height))) {
-      throw FormatError("its classes' typical sizes are damaged");
-    }
+    if (*traits.size == std::array<double, 2>{}) return;
+    if (!is_size(*traits.size)) throw FormatError("its classes' typical sizes are damaged");
     (*classes.sizes)[id] = *traits.size;
   }
 }
 
-/// Of a class of the catalog.
+/// Of a class of the catalog. Throws InvalidValue for a size that could not be read again.
 inline ClassTraits traits_of(const DescribedCatalog& classes, ClassId id) {
   ClassTraits traits;
   traits.dynamics = static_cast<std::int64_t>(classes.catalog.dynamics(id));
@@ -56,7 +60,14 @@ inline ClassTraits traits_of(const DescribedCatalog& classes, ClassId id) {
     const std::vector<ClassId> others = lookalikes_of(classes, id);
     traits.lookalike = others.empty() ? id : std::min(id, others.front());
   }
-  if (classes.sizes) traits.size = typical_size(classes, id);
+  if (!classes.sizes) return traits;
+  traits.size = typical_size(classes, id);
+  if (*traits.size != std::array<double, 2>{} && !is_size(*traits.size)) {
+    const auto [width, height] = *traits.size;
+    throw InvalidValue("class '" + classes.catalog.name(id) + "' is said to be " +
+                       exact_text(width) + " x " + exact_text(height) +
+                       " m; give a width and a height above 0, or leave its size out");
+  }
   return traits;
 }
 
