@@ -146,3 +146,65 @@ TEST_CASE("votes of another scale agree on nothing, wherever they put the camera
     CHECK_FALSE(detail::agrees(mean, vote, {}));
   }
 }
+
+namespace {
+
+/// Matches that are all false: any pose and any scale, which is known to `of_scale`.
+template <typename Motion>
+std::vector<detail::AlignmentVote<Motion>> false_votes(std::mt19937& random, std::uint64_t count,
+                                                       double of_scale) {
+  std::uniform_real_distribution<double> metres(-5.0, 5.0), turn(-3.1, 3.1), octaves(-2.0, 2.0);
+  const auto anywhere = [&] {
+    const double x = metres(random), y = 0.04 * metres(random), z = metres(random);
+    return Eigen::Isometry3d(Eigen::Translation3d(x, y, z) *
+                             Eigen::AngleAxisd(turn(random), Eigen::Vector3d::UnitY()));
+  };
+  VoteError deviation, lever;
+  deviation << 0.03, 0.03, 0.05, 0.02, 0.02, 0.02;
+  lever << 0.0, 0.0, -3.0, 0.0, 0.0, 0.0;
+  std::vector<detail::AlignmentVote<Motion>> votes;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Motion a_camera, camera_b;
+    a_camera.T = anywhere();
+    Eigen::Isometry3d T_b_camera = anywhere();
+    RelativePose pose;
+    pose.covariance = deviation.cwiseAbs2().asDiagonal();
+    const double scale = std::exp2(octaves(random));
+    if (detail::unknowns_v<Motion> == 7) {
+      pose.scale = scale;
+      pose.scale_deviation = of_scale * scale;
+      pose.covariance += of_scale * of_scale * lever * lever.transpose();
+      pose.scale_covariance = of_scale * of_scale * lever;
+      T_b_camera.translation() /= scale;
+    }
+    camera_b.T = T_b_camera.inverse();
+    votes.push_back({KeyframeId{i}, T_b_camera, a_camera.T,
+                     a_camera * detail::motion_of<Motion>(pose) * camera_b});
+  }
+  return votes;
+}
+
+/// How often three or more of 25 false votes agree, in 100 draws.
+template <typename Motion>
+int chance_agreements(double of_scale) {
+  std::mt19937 random(2242);
+  int agreed = 0;
+  for (int round = 0; round < 100; ++round) {
+    const auto votes = false_votes<Motion>(random, 25, of_scale);
+    agreed += detail::voters(detail::consensus(votes, {})) >= 3 ? 1 : 0;
+  }
+  return agreed;
+}
+
+}  // namespace
+
+TEST_CASE("false votes agree no more often for not knowing the scale, however little they do",
+          "[recognition]") {
+  const int known = chance_agreements<PoseWithCovariance<>>(0.0);
+  CHECK(known >= 3);
+  CHECK(known <= 30);
+  for (const double of_scale : {0.03, 0.1, 0.2}) {
+    CAPTURE(of_scale);
+    CHECK(chance_agreements<detail::Sim3WithCovariance>(of_scale) <= known);
+  }
+}

@@ -82,50 +82,46 @@ std::size_t places_of_voters(const std::vector<AlignmentVote<Motion>>& votes, do
   return places.size();
 }
 
-/// The largest set of votes that agree with one of them. O(votes²).
+/// An alignment about the middle of the cameras that told it, where lever arms are short.
 template <typename Motion>
-std::vector<AlignmentVote<Motion>> consensus(const std::vector<AlignmentVote<Motion>>& votes,
-                                             const AlignOptions& options) {
-  std::vector<AlignmentVote<Motion>> best;
-  std::size_t most = 0;
-  for (const auto& vote : votes) {
-    std::vector<AlignmentVote<Motion>> found = agreeing(votes, vote.a_b, options);
-    const std::size_t count = voters(found);
-    if (count <= most) continue;
-    most = count;
-    best = std::move(found);
-  }
-  return best;
-}
+struct LikelyAlignment {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< in a
+  Motion middle_b;                                   ///< covariance: by the votes' own doubt
+  double chi2 = 0.0;                                 ///< of the votes
 
-/// The most likely alignment of votes that agree, from one of them on, and its covariance: key
-/// frames of one place see the same objects and count as one, and votes that differ by more than
-/// they say make it wider. (Gauss–Newton on the motions.) Precondition: there are votes. O(votes).
+  /// The motion from b to a.
+  Motion a_b() const {
+    Motion a_middle;
+    a_middle.T = Eigen::Translation3d(middle);
+    return a_middle * middle_b;
+  }
+};
+
+/// The most likely alignment of votes, from one of them on. (Gauss–Newton on the motions.)
+/// Precondition: there are votes. O(votes).
 template <typename Motion>
-Motion mean_alignment(const std::vector<AlignmentVote<Motion>>& votes) {
+LikelyAlignment<Motion> likely_alignment(const std::vector<AlignmentVote<Motion>>& votes) {
   constexpr int unknowns = unknowns_v<Motion>;
   using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
   using Vector = Eigen::Matrix<double, unknowns, 1>;
-  // About the middle of the cameras, where lever arms are short.
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const auto& vote : votes) middle += vote.T_a_camera.translation();
-  middle /= static_cast<double>(votes.size());
-  Motion middle_a, a_middle;
-  middle_a.T = Eigen::Translation3d(-middle);
-  a_middle.T = Eigen::Translation3d(middle);
-  Motion mean = middle_a * votes.front().a_b;
-  double chi2 = 0.0;
+  LikelyAlignment<Motion> likely;
+  for (const auto& vote : votes) likely.middle += vote.T_a_camera.translation();
+  likely.middle /= static_cast<double>(votes.size());
+  Motion middle_a;
+  middle_a.T = Eigen::Translation3d(-likely.middle);
+  Motion& mean = likely.middle_b;
+  mean = middle_a * votes.front().a_b;
   for (int iteration = 0; iteration < 10; ++iteration) {
     Matrix information = Matrix::Zero();
     Vector pull = Vector::Zero();
-    chi2 = 0.0;
+    likely.chi2 = 0.0;
     for (const auto& vote : votes) {
       const Motion middle_b = middle_a * vote.a_b;
       const Eigen::LLT<Matrix> of_vote(middle_b.covariance);
       const Vector error = error_between(middle_b, mean);
       information += of_vote.solve(Matrix::Identity());
       pull += of_vote.solve(error);
-      chi2 += error.dot(of_vote.solve(error));
+      likely.chi2 += error.dot(of_vote.solve(error));
     }
     const Eigen::LLT<Matrix> solver(information);
     mean.covariance = solver.solve(Matrix::Identity());
@@ -133,10 +129,45 @@ Motion mean_alignment(const std::vector<AlignmentVote<Motion>>& votes) {
     correct(mean, step);
     if (step.norm() < 1e-9) break;
   }
+  return likely;
+}
+
+/// The same and its covariance: key frames of one place see the same objects and count as one, and
+/// votes that differ by more than they say make it wider.
+template <typename Motion>
+Motion mean_alignment(const std::vector<AlignmentVote<Motion>>& votes) {
+  LikelyAlignment<Motion> likely = likely_alignment(votes);
   const double n = static_cast<double>(votes.size());
-  const double scatter = n > 1.0 ? std::max(1.0, chi2 / (unknowns * (n - 1.0))) : 1.0;
-  mean.covariance *= scatter * n / static_cast<double>(places_of_voters(votes, scale_of(mean)));
-  return a_middle * mean;
+  const double freedom = unknowns_v<Motion> * (n - 1.0);
+  const double scatter = n > 1.0 ? std::max(1.0, likely.chi2 / freedom) : 1.0;
+  const std::size_t places = places_of_voters(votes, scale_of(likely.middle_b));
+  likely.middle_b.covariance *= scatter * n / static_cast<double>(places);
+  return likely.a_b();
+}
+
+/// The largest set of votes that agree with one of them; where b's unit is not known, with what is
+/// likely by all of them as well: a vote that hardly knows its scale agrees with nearly every
+/// other, and these need not agree with each other. O(votes²).
+template <typename Motion>
+std::vector<AlignmentVote<Motion>> consensus(const std::vector<AlignmentVote<Motion>>& votes,
+                                             const AlignOptions& options) {
+  std::vector<AlignmentVote<Motion>> best;
+  std::size_t most = 0;
+  for (const auto& vote : votes) {
+    std::vector<AlignmentVote<Motion>> found = agreeing(votes, vote.a_b, options);
+    std::size_t count = voters(found);
+    if constexpr (unknowns_v<Motion> == 7) {
+      for (std::size_t before = 0; count > most && found.size() != before;) {
+        before = found.size();
+        found = agreeing(found, likely_alignment(found).a_b(), options);
+        count = voters(found);
+      }
+    }
+    if (count <= most) continue;
+    most = count;
+    best = std::move(found);
+  }
+  return best;
 }
 
 }  // namespace detail
