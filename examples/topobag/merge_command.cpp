@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@ struct MergeArguments {
   std::string map;
   std::string other;
   std::string out;
+  bool unknown_scale = false;  ///< of the other map
   ObjectClasses classes;
 };
 
@@ -57,6 +59,16 @@ std::string in_words(const topobag::PoseWithCovariance<>& pose) {
   return text.str();
 }
 
+/// ", 1 unit of b.db is 0.7102 ± 0.0031 m of a.db", where that was not known.
+std::string scale_in_words(const MergeArguments& arguments,
+                           const topobag::MapAlignment& alignment) {
+  if (!arguments.unknown_scale) return "";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(4) << ", 1 unit of " << arguments.other << " is "
+       << alignment.scale << " ± " << alignment.scale_deviation << " m of " << arguments.map;
+  return text.str();
+}
+
 /// Throws InputError where a map has no usable key frame with a pose: it lies nowhere.
 void require_place(const std::string& path, const topobag::BagOfTopologyGraphs<>& bag) {
   bool placed = false;
@@ -83,6 +95,7 @@ void merge_maps(const MergeArguments& arguments) {
   require_new(arguments.map, map.bag, other.bag);
   topobag::AlignOptions options;
   options.recognition = recognition_options_for(classes);
+  if (arguments.unknown_scale) options.recognition.matching.scale = topobag::ScaleRange{};
   Progress progress(std::min(options.max_keyframes, other.bag.size()), "key frames looked up");
   options.on_query = [&] { progress.step(); };
   const topobag::MapAlignment alignment = topobag::align_maps(map.bag, other.bag, options);
@@ -92,9 +105,7 @@ void merge_maps(const MergeArguments& arguments) {
   if (!alignment) {
     throw InputError(arguments.other, std::string(why(alignment.verdict)) + " (" + counts + ")");
   }
-  topobag::MergeOptions how;
-  how.session_offset = session_after_all(map);
-  how.T_world_other = alignment.T_a_b->T;
+  const topobag::MergeOptions how = alignment.merge_options(session_after_all(map));
   map.bag.merge(other.bag, how);
   for (const SavedSession& session : other.sessions) {
     map.sessions.push_back({topobag::session_after(session.id, how.session_offset), session.name});
@@ -102,7 +113,8 @@ void merge_maps(const MergeArguments& arguments) {
   write_new_map(arguments.out, map, classes);
   std::cout << arguments.out << ": " << map.bag.size() << " key frames, " << other.bag.size()
             << " of them of " << arguments.other << ", whose world lies at "
-            << in_words(*alignment.T_a_b) << " (" << counts << ")\n";
+            << in_words(*alignment.T_a_b) << scale_in_words(arguments, alignment) << " (" << counts
+            << ")\n";
 }
 
 }  // namespace
@@ -118,6 +130,9 @@ void add_merge_command(CLI::App& app) {
       .add_option("--out", arguments->out,
                   "Map to write: FILE.db for a durable one on SQLite, else a snapshot")
       ->required();
+  command.add_flag("--unknown-scale", arguments->unknown_scale,
+                   "The other map's lengths are in an unknown unit, of a quarter to four of the "
+                   "map's metres, as of a monocular front end");
   add_classes_option(command, arguments->classes);
   add_progress_option(command);
   command.callback([arguments] { merge_maps(*arguments); });

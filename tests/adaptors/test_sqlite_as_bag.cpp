@@ -6,6 +6,7 @@
 
 #include <topobag/adaptors/sqlite.hpp>
 #include <topobag/bag/indexed_bag.hpp>
+#include <topobag/graph/scaled_graph.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 
 #include "adaptors/sqlite_maps.hpp"
@@ -96,4 +97,27 @@ TEST_CASE("a map on disk takes in another, with the names of its runs", "[sqlite
     CHECK(sessions[1].name == "Tuesday");
     CHECK(sessions[2].name == "Wednesday");
   }
+}
+
+TEST_CASE("a map on disk takes in one of another unit in its own", "[sqlite]") {
+  const ScratchFolder folder;
+  SqliteBag<> ours(folder.path("ours.db"));
+  std::mt19937 random(6);
+  BagOfTopologyGraphs<> theirs;
+  for (const std::uint64_t id : {2U, 7U}) {
+    theirs.add(KeyframeId{id}, decode(encode(random_graph(random, 5))),
+               standing_at(Eigen::Isometry3d(Eigen::Translation3d(0, 0, 2))));
+  }
+  MergeOptions options;
+  options.scale = 1.6;
+  options.T_world_other = Eigen::Isometry3d(Eigen::Translation3d(0, 0, 9));
+  ours.merge(theirs, options);
+  const SqliteBag<> again(folder.path("ours.db"), read_only());
+  for (const std::uint64_t id : {2U, 7U}) {
+    CHECK(encode(*again.find(KeyframeId{id})) == encode(scaled(*theirs.find(KeyframeId{id}), 1.6)));
+    CHECK(again.info(KeyframeId{id})->T_world_camera->translation().z() == Approx(12.2));
+  }
+  options.scale = 0.0;
+  CHECK_THROWS_AS(ours.merge(theirs, options), InvalidValue);
+  CHECK(ours.size() == 2);
 }

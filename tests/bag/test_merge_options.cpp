@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <topobag/bag/merge_options.hpp>
+#include <topobag/graph/scaled_graph.hpp>
 
 #include "bag/desk_pieces.hpp"
 #include "bag/filled_bags.hpp"
@@ -119,4 +120,57 @@ TEST_CASE("bags of every kind merge with each other", "[bag][index]") {
   check_merge<BagOfTopologyGraphs<>>(plain, other, source);
   check_merge<IndexedBag>(other, other, source);
   check_merge<IndexedBag>(plain, other, source);
+}
+
+namespace {
+
+/// That a bag takes in one of another unit as it takes in the same map written in its own.
+template <typename Bag, typename Other>
+void check_merge_up_to_scale(RecombinedGraphs& source) {
+  MergeOptions moved;
+  moved.T_world_other = Eigen::Isometry3d(Eigen::Translation3d(1.0, 2.0, 3.0));
+  MergeOptions with_scale = moved;
+  with_scale.scale = 0.7;
+  Other other;
+  BagOfTopologyGraphs<> in_our_unit;  // does not round
+  for (std::uint64_t id = 0; id < 8; ++id) {
+    EntryInfo info;
+    if (id % 2 == 0) {
+      info.T_world_camera = Eigen::Isometry3d(Eigen::Translation3d(5.0 * double(id), -1.0, 0.5));
+    }
+    other.add(KeyframeId{id}, decode(encode(source.keyframe(source.place()))), info);
+    if (info.T_world_camera) info.T_world_camera->translation() *= 0.7;
+    in_our_unit.add(KeyframeId{id}, scaled(*other.find(KeyframeId{id}), 0.7), info);
+  }
+  Bag bag, oracle;
+  CHECK(bag.merge(other, with_scale) == oracle.merge(in_our_unit, moved));
+  REQUIRE(bag.size() == 8);
+  oracle.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>& graph) {
+    CHECK(encode(*bag.find(id)) == encode(graph));
+    const auto pose = bag.info(id)->T_world_camera;
+    REQUIRE(pose.has_value() == info.T_world_camera.has_value());
+    if (pose) CHECK(pose->isApprox(*info.T_world_camera));
+  });
+  CHECK(bag.places() == oracle.places());
+  const auto query = source.keyframe(source.place());
+  CHECK(bag.query(query) == oracle.query(query));
+  // A scale that is none changes nothing.
+  for (const double scale : {0.0, -1.0, std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()}) {
+    with_scale.scale = scale;
+    CHECK_THROWS_AS(bag.merge(other, with_scale), InvalidValue);
+  }
+  with_scale.scale = 1e9;  // beyond what a map keeps
+  CHECK_THROWS_AS(bag.merge(other, with_scale), InvalidValue);
+  CHECK(bag.size() == 8);
+}
+
+}  // namespace
+
+TEST_CASE("a bag in another unit is taken in in the bag's own", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(7), 7);
+  check_merge_up_to_scale<BagOfTopologyGraphs<>, BagOfTopologyGraphs<>>(source);
+  check_merge_up_to_scale<BagOfTopologyGraphs<>, IndexedBag>(source);
+  check_merge_up_to_scale<IndexedBag, BagOfTopologyGraphs<>>(source);
+  check_merge_up_to_scale<IndexedBag, IndexedBag>(source);
 }

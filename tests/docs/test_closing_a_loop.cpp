@@ -76,10 +76,8 @@ TEST_CASE("the map follows the back end, and takes in another", "[docs]") {
   }
   const MapAlignment alignment = align_maps(map, other);
   if (alignment) {
-    MergeOptions options;
-    options.session_offset = 1;  // the other map's sessions follow ours
-    options.T_world_other = alignment.T_a_b->T;
-    const auto new_ids = map.merge(other, options);
+    // the other map's sessions follow ours, from 1
+    const auto new_ids = map.merge(other, alignment.merge_options(1));
     CHECK(new_ids.at(KeyframeId{4}) == KeyframeId{12});
   }
   REQUIRE(map.size() == 13);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
+
+#include <topobag/graph/scaled_graph.hpp>
 
 #include "catch.hpp"
 #include "keyframe_graphs.hpp"
@@ -12,14 +17,17 @@
 
 namespace {
 
-/// A sample's key frames, whose world lies at `T_world_sample`.
-program::SavedMap sample_map_at(const std::string& table, const Eigen::Isometry3d& T_world_sample) {
+/// A sample's key frames, whose world lies at `T_world_sample`, in a unit of so many metres.
+program::SavedMap sample_map_at(const std::string& table, const Eigen::Isometry3d& T_world_sample,
+                                double unit = 1.0) {
   program::KeyframeOptions options;
   options.camera = {517.3, 516.5, 318.6, 255.3, 640, 480};
   options.interval = 0.0;
   auto keyframes = program::read_keyframes(table, options);
   for (auto& keyframe : keyframes) {
     keyframe.T_world_camera = T_world_sample * *keyframe.T_world_camera;
+    keyframe.T_world_camera->translation() /= unit;
+    keyframe.graph = topobag::scaled(keyframe.graph, 1.0 / unit);
   }
   return {"", {{0, "a run"}}, program::new_entries(topobag::BagOfTopologyGraphs<>(), keyframes)};
 }
@@ -67,6 +75,54 @@ TEST_CASE("two maps of one desk become one", "[examples]") {
     CHECK((found[i].translation() - stood[i].translation()).norm() < 0.15);
   }
   CHECK(refusal(command) == joined + ": it exists; give another name");
+}
+
+TEST_CASE("a map in an unknown unit is joined up to scale", "[examples]") {
+  const ScratchFolder folder;
+  const Eigen::Isometry3d T_map_other =
+      Eigen::Translation3d(3.0, 1.0, 0.5) * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ());
+  const std::string ours = folder.path("a.bag"), theirs = folder.path("b.bag");
+  const std::string joined = folder.path("c.bag");
+  program::write_new_map(ours, sample_map_at(sample_map, Eigen::Isometry3d::Identity()), {});
+  program::write_new_map(theirs, sample_map_at(sample_query, T_map_other.inverse(), 0.5), {});
+  const std::string command = "merge " + ours + ' ' + theirs + " --out " + joined;
+  CHECK(refusal(command).find(theirs + ": too few key frames of one map are recognised") == 0);
+  const ProgramRun run = run_program(command + " --unknown-scale");
+  CAPTURE(run.err, run.out);
+  REQUIRE(run.exit_code == 0);
+  const std::string told = ", 1 unit of " + theirs + " is ";
+  const std::size_t at = run.out.find(told);
+  REQUIRE(at != std::string::npos);
+  std::istringstream words(run.out.substr(at + told.size()));
+  double scale = 0.0, deviation = 0.0;
+  std::string sign, rest;
+  words >> scale >> sign >> deviation;
+  std::getline(words, rest);
+  CHECK(sign == "±");
+  CHECK(rest.find(" m of " + ours + " (") == 0);
+  CHECK(std::abs(scale - 0.5) < 0.02);
+  CHECK(deviation > 0.0);
+  CHECK(deviation < 0.02);
+  // In the map's unit, every key frame of both is where the sample's trajectory has it.
+  const auto truth = sample_map_at(sample_query, Eigen::Isometry3d::Identity());
+  std::vector<topobag::EntryInfo> stood;
+  std::vector<topobag::TopologyGraph<>> seen;
+  truth.bag.for_each([&](topobag::KeyframeId, const auto& info, const auto& graph) {
+    stood.push_back(info);
+    seen.push_back(graph);
+  });
+  std::size_t found = 0;
+  program::read_saved_map(joined).bag.for_each(
+      [&](topobag::KeyframeId, const auto& info, const auto& graph) {
+        if (info.session == 0) return;
+        REQUIRE(found < stood.size());
+        const Eigen::Isometry3d& T_true = *stood[found].T_world_camera;
+        CHECK((info.T_world_camera->translation() - T_true.translation()).norm() < 0.2);
+        REQUIRE(graph.size() == seen[found].size());
+        CHECK(graph.nodes()[0].z == Approx(seen[found].nodes()[0].z).epsilon(0.05));
+        ++found;
+      });
+  CHECK(found == stood.size());
 }
 
 TEST_CASE("maps without poses are not joined", "[examples]") {

@@ -100,3 +100,16 @@ TEST_CASE("a graph in its own unit is not copied", "[graph]") {
   CHECK(&*other != &graph);
   CHECK((*other).lengths() == scaled(graph, 1.5).lengths());
 }
+
+namespace {
+
+/// A user's own kind of graph, of which nothing says how it is scaled.
+struct UnscalableGraph {};
+
+}  // namespace
+
+TEST_CASE("a graph of a kind that cannot be scaled stays in its unit", "[graph]") {
+  const UnscalableGraph graph;
+  CHECK(&*detail::Rescaled<UnscalableGraph>(graph, 1.0) == &graph);
+  CHECK_THROWS_AS(detail::Rescaled<UnscalableGraph>(graph, 2.0), InvalidValue);
+}

@@ -74,6 +74,7 @@ void bind_pose(py::module_& module) {
       .attribute("covariance", &RelativePose::covariance)
       .attribute("scale", &RelativePose::scale)
       .attribute("scale_deviation", &RelativePose::scale_deviation)
+      .attribute("scale_covariance", &RelativePose::scale_covariance)
       .attribute("inliers", &inliers_of)
       .attribute("rms", &RelativePose::rms)
       .attribute("spread", &RelativePose::spread)

@@ -59,7 +59,8 @@ void bind_queries(py::module_& module) {
       .field("missed_similarity", &SearchResult::missed_similarity);
   Fields<MergeOptions>(module, "MergeOptions")
       .field("session_offset", &MergeOptions::session_offset)
-      .field("T_world_other", &MergeOptions::T_world_other);
+      .field("T_world_other", &MergeOptions::T_world_other)
+      .field("scale", &MergeOptions::scale);
   Fields<MemoryUsage>(module, "MemoryUsage")
       .field("graphs", &MemoryUsage::graphs)
       .field("index", &MemoryUsage::index)

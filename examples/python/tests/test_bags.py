@@ -140,6 +140,10 @@ def test_an_indexed_bag_merges_and_compacts(random):
     a, b = filled(topobag.IndexedBag(), random, 5), filled(topobag.IndexedBag(), random, 5)
     new_ids = a.merge(b, topobag.MergeOptions(session_offset=5))
     assert sorted(new_ids) == [10, 11, 12, 13, 14] and min(new_ids.values()) > 14 and len(a) == 10
+    smaller = topobag.IndexedBag()
+    smaller.merge(b, topobag.MergeOptions(scale=0.5))
+    for id in b:
+        assert np.allclose(smaller[id].nodes.positions, 0.5 * b[id].nodes.positions, atol=0.02, equal_nan=True)
     a.compact()
     result = a.search(random_graph(random), max_visited=1)
     assert result.entries == 10 and result.visited <= 10

@@ -128,5 +128,6 @@ def test_a_graph_in_another_unit_is_found_up_to_scale(random, factor):
     found = topobag.match_graphs(graph, other, options).poses[0]
     assert found.scale == pytest.approx(1.0 / factor, abs=3.0 * found.scale_deviation)
     assert len(found.inliers) == 10
+    assert found.scale_covariance.shape == (6,) and np.any(found.scale_covariance)
     with pytest.raises(topobag.InvalidValue, match="scaled by a positive number"):
         topobag.scaled(graph, 0.0)

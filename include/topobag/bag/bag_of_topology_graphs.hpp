@@ -95,10 +95,11 @@ class BagOfTopologyGraphs {
     detail::DescriptorKinds kinds = kinds_;
     using Descriptor = decltype(descriptor_of(std::declval<const Graph&>()));
     std::map<KeyframeId, std::pair<EntryPointer, Descriptor>> joining;
-    other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
-      kinds = kinds.with(graph, info);
+    other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& given) {
+      kinds = kinds.with(given, info);
+      const auto graph = options.in_this_unit(given);
       joining.emplace(
-          id, std::make_pair(Entry::made(graph, options.moved(info)), descriptor_of(graph)));
+          id, std::make_pair(Entry::made(*graph, options.moved(info)), descriptor_of(*graph)));
     });
     const auto new_ids = detail::free_ids(joining, entries_);
     kinds_ = kinds;

@@ -130,9 +130,9 @@ class BasicIndexedBag {
 
   /// Adds all entries of another bag. Ids that are free are kept; the others become the numbers
   /// after the greatest of both bags, in their order. Views come along where this bag keeps them.
-  /// Returns where each id went. Throws InvalidValue when the ids run out, when `T_world_other` is
-  /// no rigid motion or a pose becomes infinite, for descriptors of another kind, and InvalidId
-  /// when the sessions run out. O(n log n).
+  /// Returns where each id went. Throws InvalidValue as `MergeOptions` and `encode`, when the ids
+  /// run out or a pose becomes infinite, for descriptors of another kind, and InvalidId when the
+  /// sessions run out. O(n log n).
   std::map<KeyframeId, KeyframeId> merge(const View& other, const MergeOptions& options = {}) {
     options.validate();
     const detail::BagParts& theirs = other.parts_;
@@ -142,7 +142,8 @@ class BasicIndexedBag {
     detail::PartBuilder<Similarity> builder(*similarity_);
     theirs.for_each([&](detail::EntryPlace place) {
       const detail::StoredEntry entry = theirs.entry(place);
-      builder.add(new_ids.at(entry.id), options.moved(theirs.info(place)), entry, views_);
+      const EntryInfo info = options.moved(theirs.info(place));
+      builder.add(new_ids.at(entry.id), info, entry, views_, options.scale);
     });
     auto sealed_parts = std::make_shared<detail::BagParts::Sealed>(*next.sealed);
     for (detail::SealedPart& part : builder.finish()) sealed_parts->push_back(std::move(part));

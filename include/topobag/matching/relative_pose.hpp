@@ -43,6 +43,9 @@ struct RelativePose {
 
   double scale = 1.0;            ///< candidate's metres in a unit of the query (`scale_range.hpp`)
   double scale_deviation = 0.0;  ///< of `scale`, one standard deviation; 0 where it was known
+  /// Of ξ and the error λ of the scale's logarithm, scale_true = exp(λ) · scale: with `covariance`
+  /// and the variance of λ, (scale_deviation / scale)², that of all seven unknowns.
+  Eigen::Matrix<double, 6, 1> scale_covariance = Eigen::Matrix<double, 6, 1>::Zero();
 
   /// Where a point of the query's graph, in its own unit, is in the candidate's frame, m.
   template <typename Point>

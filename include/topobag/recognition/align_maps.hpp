@@ -2,11 +2,15 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <topobag/bag/detail/present_view.hpp>
+#include <topobag/recognition/detail/alignment_motion.hpp>
 #include <topobag/recognition/detail/alignment_votes.hpp>
 #include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/map_alignment.hpp>
@@ -20,9 +24,9 @@ namespace detail {
 /// Takes what a recognition says of a key frame of map b: each match that passes by itself is a
 /// vote, also one that is not believed because another place fits as well. Which of them is true
 /// the whole map says.
-template <typename Bag>
-void add_votes(std::vector<AlignmentVote>& votes, const Bag& a, const Recognition& recognition,
-               KeyframeId id, const Eigen::Isometry3d& T_b_camera) {
+template <typename Motion, typename Bag>
+void add_votes(std::vector<AlignmentVote<Motion>>& votes, const Bag& a,
+               const Recognition& recognition, KeyframeId id, const Eigen::Isometry3d& T_b_camera) {
   for (const CandidateReport& report : recognition.candidates) {
     const bool one = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled ||
                      report.verdict == Verdict::not_best;
@@ -31,15 +35,62 @@ void add_votes(std::vector<AlignmentVote>& votes, const Bag& a, const Recognitio
     if (!info || !info->T_world_camera) continue;
     const auto vote = [&](const RelativePose& pose) {
       if (pose.degenerate) return;
-      const PoseWithCovariance<> T_a_camera =
-          PoseWithCovariance<>{*info->T_world_camera} * pose.with_covariance();
-      const PoseWithCovariance<> T_camera_b{T_b_camera.inverse()};
-      votes.push_back({id, T_b_camera, T_a_camera.T, T_a_camera * T_camera_b});
+      Motion a_candidate, camera_b;
+      a_candidate.T = *info->T_world_camera;
+      camera_b.T = T_b_camera.inverse();
+      const Motion a_camera = a_candidate * motion_of<Motion>(pose);
+      votes.push_back({id, T_b_camera, a_camera.T, a_camera * camera_b});
     };
     vote(*report.pose);
     if (one) continue;
     for (const RelativePose& other : report.other_poses) vote(other);
   }
+}
+
+inline void set_motion(MapAlignment& alignment, const PoseWithCovariance<>& T_a_b) {
+  alignment.T_a_b = T_a_b;
+}
+inline void set_motion(MapAlignment& alignment, const Sim3WithCovariance& a_b) {
+  const Sim3WithCovariance::Matrix7 covariance = a_b.of_pose_and_scale();
+  alignment.T_a_b = PoseWithCovariance<>{a_b.T, covariance.topLeftCorner<6, 6>()};
+  alignment.scale = a_b.scale;
+  alignment.scale_deviation = a_b.scale * std::sqrt(covariance(6, 6));
+  alignment.scale_covariance = covariance.topRightCorner<6, 1>();
+}
+
+/// Asks map b's key frames in a, and on what motion the answers agree.
+/// @param usable     of b, with their poses
+/// @param alignment  is filled in
+template <typename Motion, typename View, typename B>
+void align_by_votes(const View& a, const B& b,
+                    const std::vector<std::pair<KeyframeId, Eigen::Isometry3d>>& usable,
+                    const AlignOptions& options, MapAlignment& alignment) {
+  const Relocalizer relocalizer(a, options.recognition);
+  std::vector<AlignmentVote<Motion>> votes;
+  alignment.asked = std::min(options.max_keyframes, usable.size());
+  for (std::size_t i = 0; i < alignment.asked; ++i) {
+    const auto& [id, T_b_camera] = usable[i * usable.size() / alignment.asked];
+    const auto graph = b.find(id);
+    if (graph) add_votes(votes, a, relocalizer.localize(*graph), id, T_b_camera);
+    if (options.on_query) options.on_query();
+  }
+  alignment.matched = voters(votes);
+  const auto best = consensus(votes, options);
+  alignment.agreeing = voters(best);
+  alignment.verdict = AlignmentVerdict::too_few;
+  if (best.empty() || alignment.agreeing < options.min_matches) return;
+  const Motion mean = mean_alignment(best);
+  alignment.places = places_of_voters(best, scale_of(mean));
+
+  std::vector<AlignmentVote<Motion>> others;
+  for (const auto& vote : votes) {
+    if (!agrees(mean, vote, options)) others.push_back(vote);
+  }
+  alignment.rivalling = voters(consensus(others, options));
+  const bool fits_as_well = static_cast<double>(alignment.rivalling) >
+                            options.max_rival_share * static_cast<double>(alignment.agreeing);
+  alignment.verdict = fits_as_well ? AlignmentVerdict::ambiguous : AlignmentVerdict::aligned;
+  if (!fits_as_well) set_motion(alignment, mean);
 }
 
 }  // namespace detail
@@ -49,10 +100,14 @@ void add_votes(std::vector<AlignmentVote>& votes, const Bag& a, const Recognitio
 ///
 /// Refused when too few agree, and when another motion has more than a share of them: two maps of
 /// buildings with equal rooms tell no more. Key frames without a pose in the world say nothing.
-/// Deterministic. Cost: a query for each key frame that is asked.
+/// Deterministic. Cost: a query for each key frame that is asked, and O(matches²).
+///
+/// Where b's unit is not known (`AlignOptions::recognition.matching.scale`), each match is a
+/// Sim(3), and they have to agree on the scale as well; how far b's cameras stand apart then tells
+/// it more exactly than any one match. (Umeyama, PAMI 1991, over matches with their covariances.)
 ///
 ///     if (const MapAlignment alignment = align_maps(a, b)) {
-///       a.merge(b, {next_session, alignment.T_a_b->T});
+///       a.merge(b, alignment.merge_options(next_session));
 ///     }
 /// @param a  a bag to look up in
 /// @param b  a bag with `for_each`
@@ -71,32 +126,11 @@ MapAlignment align_maps(const A& a, const B& b, const AlignOptions& options = {}
   });
   if (usable.empty() || !a_has_poses) return alignment;
 
-  const Relocalizer relocalizer(*present_a, options.recognition);
-  std::vector<detail::AlignmentVote> votes;
-  alignment.asked = std::min(options.max_keyframes, usable.size());
-  for (std::size_t i = 0; i < alignment.asked; ++i) {
-    const auto& [id, T_b_camera] = usable[i * usable.size() / alignment.asked];
-    const auto graph = b.find(id);
-    if (graph) detail::add_votes(votes, *present_a, relocalizer.localize(*graph), id, T_b_camera);
-    if (options.on_query) options.on_query();
+  if (options.recognition.matching.scale) {
+    detail::align_by_votes<detail::Sim3WithCovariance>(*present_a, b, usable, options, alignment);
+  } else {
+    detail::align_by_votes<PoseWithCovariance<>>(*present_a, b, usable, options, alignment);
   }
-  alignment.matched = detail::voters(votes);
-  std::vector<detail::AlignmentVote> best = detail::consensus(votes, options);
-  alignment.agreeing = detail::voters(best);
-  alignment.verdict = AlignmentVerdict::too_few;
-  if (best.empty() || alignment.agreeing < options.min_matches) return alignment;
-  const PoseWithCovariance<> mean = detail::mean_alignment(best);
-  alignment.places = detail::places_of_voters(best);
-
-  std::vector<detail::AlignmentVote> others;
-  for (const detail::AlignmentVote& vote : votes) {
-    if (!detail::agrees(mean, vote, options)) others.push_back(vote);
-  }
-  alignment.rivalling = detail::voters(detail::consensus(others, options));
-  const bool fits_as_well = static_cast<double>(alignment.rivalling) >
-                            options.max_rival_share * static_cast<double>(alignment.agreeing);
-  alignment.verdict = fits_as_well ? AlignmentVerdict::ambiguous : AlignmentVerdict::aligned;
-  if (!fits_as_well) alignment.T_a_b = mean;
   return alignment;
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include <topobag/bag/place_contents.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
@@ -34,11 +36,13 @@ struct CandidateReport {
   std::optional<RefinedPose> place_pose;    ///< over those, when no fewer agree, and no less
   double place_scale = 1.0;                 ///< of that pose, as `RelativePose::scale`
   double place_scale_deviation = 0.0;       ///< of that pose, as `RelativePose::scale_deviation`
-  std::optional<RivalPlace> rival;          ///< that keeps the pose from being believed
-  std::size_t places = 0;                   ///< of the map that can hold what was matched
-  double threshold = 0.0;                   ///< the score that was asked for, among these
-  std::optional<double> confidence;         ///< P(true), when the decision is calibrated
-  bool complete = true;                     ///< false when the search ended with its budget
+  /// Of that pose, as `RelativePose::scale_covariance`.
+  Eigen::Matrix<double, 6, 1> place_scale_covariance = Eigen::Matrix<double, 6, 1>::Zero();
+  std::optional<RivalPlace> rival;   ///< that keeps the pose from being believed
+  std::size_t places = 0;            ///< of the map that can hold what was matched
+  double threshold = 0.0;            ///< the score that was asked for, among these
+  std::optional<double> confidence;  ///< P(true), when the decision is calibrated
+  bool complete = true;              ///< false when the search ended with its budget
 
   /// What the objects say of the pose: by the candidate's graph alone, or, where the place around
   /// it was asked as well, their mean by `place_share`. Both are −log10 of the same odds, and err

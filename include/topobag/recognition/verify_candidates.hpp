@@ -94,6 +94,7 @@ void accept_best(Answer& recognition) {
       recognition.accepted->pose->covariance = report.place_pose->covariance;
       recognition.accepted->pose->scale = report.place_scale;
       recognition.accepted->pose->scale_deviation = report.place_scale_deviation;
+      recognition.accepted->pose->scale_covariance = report.place_scale_covariance;
     }
   }
 }

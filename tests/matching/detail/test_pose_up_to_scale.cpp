@@ -77,6 +77,35 @@ TEST_CASE("a graph in another unit is matched with its pose and its scale", "[ma
   CHECK(chi2 < 1.5);
 }
 
+TEST_CASE("pose and scale err together as they say", "[matching]") {
+  std::mt19937 random(2215);
+  const MatchOptions options = of_unknown_scale();
+  const int rounds = 100;
+  double chi2 = 0.0, opposite = 0.0;
+  for (int round = 0; round < rounds; ++round) {
+    const TwoUnits views(random, 8, 4);
+    const GraphMatch match = match_graphs(views.candidate, views.query, options);
+    REQUIRE_FALSE(match.poses.empty());
+    const RelativePose& pose = match.poses.front();
+    const double deviation = pose.scale_deviation / pose.scale;
+    Eigen::Matrix<double, 7, 7> covariance;
+    covariance << pose.covariance, pose.scale_covariance, pose.scale_covariance.transpose(),
+        deviation * deviation;
+    const Eigen::Isometry3d error = views.T_candidate_query * pose.T_candidate_query.inverse();
+    const Eigen::AngleAxisd turn(error.linear());
+    Eigen::Matrix<double, 7, 1> off;
+    off << error.translation(), turn.angle() * turn.axis(), std::log(views.scale / pose.scale);
+    chi2 += off.dot(covariance.llt().solve(off)) / rounds;
+    // With the sign of how they go together wrong it is far more.
+    covariance.topRightCorner<6, 1>() *= -1.0;
+    covariance.bottomLeftCorner<1, 6>() *= -1.0;
+    opposite += off.dot(covariance.llt().solve(off)) / rounds;
+  }
+  CHECK(chi2 > 2.5);  // a pose's covariance is on the careful side
+  CHECK(chi2 < 9.0);
+  CHECK(opposite > 2.0 * chi2);
+}
+
 TEST_CASE("an unknown scale costs what the model says and not much more", "[matching]") {
   std::mt19937 random(2209);
   const MatchOptions options = of_unknown_scale();

@@ -49,6 +49,7 @@ TEST_CASE("a camera without scale is found in the room it is in, at its pose", "
       relocalizer.map().add(KeyframeId{2 * i + k}, rooms[i].seen_from(cameras.back()), info);
     }
   }
+  std::size_t by_place = 0;
   for (unsigned i = 0; i < 12; ++i) {
     const Eigen::Isometry3d T_room_query = random_camera(random);
     const double scale = drawn_scale(random);
@@ -65,7 +66,14 @@ TEST_CASE("a camera without scale is found in the room it is in, at its pose", "
     CHECK(error.translation_m < 0.02);
     CHECK(error.rotation_deg < 0.5);
     CHECK(found.accepted->place_support);
+    if (!found.accepted->place_pose) continue;
+    // All that is said of the scale is that of the pose over the place.
+    ++by_place;
+    CHECK(pose.scale == found.accepted->place_scale);
+    CHECK(pose.scale_covariance == found.accepted->place_scale_covariance);
+    CHECK(pose.scale_covariance != found.candidates.front().pose->scale_covariance);
   }
+  CHECK(by_place > 0);
 }
 
 TEST_CASE("a camera without scale in a room that is not in the map is not found", "[recognition]") {

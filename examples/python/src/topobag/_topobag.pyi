@@ -571,6 +571,8 @@ class RelativePose:
     @property
     def scale(self) -> float: ...
     @property
+    def scale_covariance(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
     def scale_deviation(self) -> float: ...
     @property
     def score(self) -> float: ...
@@ -685,8 +687,9 @@ class SearchResult:
     visited: int
 
 class MergeOptions:
-    def __init__(self, session_offset: int = ..., T_world_other: Optional[numpy.typing.NDArray[numpy.float64]] = ...) -> None: ...
+    def __init__(self, session_offset: int = ..., T_world_other: Optional[numpy.typing.NDArray[numpy.float64]] = ..., scale: float = ...) -> None: ...
     T_world_other: Optional[numpy.typing.NDArray[numpy.float64]]
+    scale: float
     session_offset: int
 
 class MemoryUsage:

@@ -41,7 +41,7 @@ struct MapRows {
       : kind(known) {
     other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
       kind = kind_with(kind, graph);
-      all.emplace_back(id, graph, options.moved(info), views);
+      all.emplace_back(id, *options.in_this_unit(graph), options.moved(info), views);
     });
   }
 

@@ -122,6 +122,7 @@ class ScaleJudge {
     pose.scale = scale;
     pose.scale_deviation = scale * std::sqrt(fit.variance);
     pose.degenerate = pose.degenerate || std::sqrt(fit.variance) > range_.max_deviation;
+    pose.scale_covariance = fit.variance * fit.lever;
     pose.covariance += fit.variance * fit.lever * fit.lever.transpose();
     // As the pose's own share of the significance, by the measurements alone.
     for (PointPair& pair : points) pair = pair.seen_alike();

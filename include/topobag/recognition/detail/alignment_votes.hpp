@@ -14,132 +14,160 @@
 
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/place_count.hpp>
+#include <topobag/recognition/detail/alignment_motion.hpp>
 #include <topobag/recognition/map_alignment.hpp>
 #include <topobag/types/ids.hpp>
-#include <topobag/types/pose_with_covariance.hpp>
 
 namespace topobag {
 inline namespace v0 {
 namespace detail {
 
 /// What a verified match of a key frame of map b says of where that map lies in map a.
+/// @tparam Motion  `PoseWithCovariance<>`, or `Sim3WithCovariance` where b's unit is not known
+template <typename Motion>
 struct AlignmentVote {
-  KeyframeId id{};  ///< of map b
-  Eigen::Isometry3d T_b_camera = Eigen::Isometry3d::Identity();
+  KeyframeId id{};                                               ///< of map b
+  Eigen::Isometry3d T_b_camera = Eigen::Isometry3d::Identity();  ///< in b's unit
   Eigen::Isometry3d T_a_camera = Eigen::Isometry3d::Identity();  ///< by the match
-  PoseWithCovariance<> T_a_b;
+  Motion a_b;
 };
 
-/// ξ with T = Exp(ξ), to the third order in the rotation.
-inline Eigen::Matrix<double, 6, 1> logarithm(const Eigen::Isometry3d& T) {
-  const Eigen::AngleAxisd turn(T.linear());
-  const Eigen::Vector3d omega = turn.angle() * turn.axis(), t = T.translation();
-  Eigen::Matrix<double, 6, 1> xi;
-  xi << t - 0.5 * omega.cross(t) + omega.cross(omega.cross(t)) / 12.0, omega;
-  return xi;
-}
-
-/// Whether an alignment puts the vote's camera where the vote's match did.
-inline bool agrees(const PoseWithCovariance<>& T_a_b, const AlignmentVote& vote,
-                   const AlignOptions& options) {
-  const Eigen::Isometry3d T_a_camera = T_a_b.T * vote.T_b_camera;
+/// Whether an alignment puts the vote's camera where the vote's match did, and has its scale.
+template <typename Motion>
+bool agrees(const Motion& a_b, const AlignmentVote<Motion>& vote, const AlignOptions& options) {
+  const double doubt = log_scale_variance(a_b) + log_scale_variance(vote.a_b);
+  if (std::abs(std::log(scale_of(a_b) / scale_of(vote.a_b))) >
+      options.deviations * std::sqrt(doubt))
+    return false;
+  const Eigen::Isometry3d T_a_camera = camera_in(a_b, vote.T_b_camera);
   const Eigen::Isometry3d between = vote.T_a_camera.inverse() * T_a_camera;
   if (Eigen::AngleAxisd(between.linear()).angle() > options.recognition.place.distinct_rotation)
     return false;
-  // A turn moves what is far from the match that told it.
-  Eigen::Matrix<double, 3, 6> moved;
-  moved.leftCols<3>().setIdentity();
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    moved.col(3 + i) = Eigen::Vector3d::Unit(i).cross(T_a_camera.translation());
-  }
-  const double variance = (moved * T_a_b.covariance * moved.transpose()).trace();
+  // A turn moves what is far from the match that told it, and so does a scale.
+  const auto moved = moved_by_error(a_b, T_a_camera.translation());
+  const double variance = (moved * a_b.covariance * moved.transpose()).trace();
   return between.translation().norm() <=
          options.recognition.place.distinct_translation + options.deviations * std::sqrt(variance);
 }
 
 /// The votes that agree with an alignment.
-inline std::vector<AlignmentVote> agreeing(const std::vector<AlignmentVote>& votes,
-                                           const PoseWithCovariance<>& T_a_b,
-                                           const AlignOptions& options) {
-  std::vector<AlignmentVote> found;
+template <typename Motion>
+std::vector<AlignmentVote<Motion>> agreeing(const std::vector<AlignmentVote<Motion>>& votes,
+                                            const Motion& a_b, const AlignOptions& options) {
+  std::vector<AlignmentVote<Motion>> found;
   std::copy_if(votes.begin(), votes.end(), std::back_inserter(found),
-               [&](const AlignmentVote& vote) { return agrees(T_a_b, vote, options); });
+               [&](const auto& vote) { return agrees(a_b, vote, options); });
   return found;
 }
 
 /// Key frames among the votes.
-inline std::size_t voters(const std::vector<AlignmentVote>& votes) {
+template <typename Motion>
+std::size_t voters(const std::vector<AlignmentVote<Motion>>& votes) {
   std::set<KeyframeId> ids;
-  for (const AlignmentVote& vote : votes) ids.insert(vote.id);
+  for (const auto& vote : votes) ids.insert(vote.id);
   return ids.size();
 }
 
 /// Places of map b in which the voters stand.
-inline std::size_t places_of_voters(const std::vector<AlignmentVote>& votes) {
+/// @param scale  a's units in one of b's
+template <typename Motion>
+std::size_t places_of_voters(const std::vector<AlignmentVote<Motion>>& votes, double scale) {
   PlaceCount places;
-  for (const AlignmentVote& vote : votes) {
+  for (const auto& vote : votes) {
     EntryInfo info;
     info.T_world_camera = vote.T_b_camera;
+    info.T_world_camera->translation() *= scale;
     places.add(vote.id, info);
   }
   return places.size();
 }
 
-/// The largest set of votes that agree with one of them. O(votes²).
-inline std::vector<AlignmentVote> consensus(const std::vector<AlignmentVote>& votes,
-                                            const AlignOptions& options) {
-  std::vector<AlignmentVote> best;
+/// An alignment about the middle of the cameras that told it, where lever arms are short.
+template <typename Motion>
+struct LikelyAlignment {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< in a
+  Motion middle_b;                                   ///< covariance: by the votes' own doubt
+  double chi2 = 0.0;                                 ///< of the votes
+
+  /// The motion from b to a.
+  Motion a_b() const {
+    Motion a_middle;
+    a_middle.T = Eigen::Translation3d(middle);
+    return a_middle * middle_b;
+  }
+};
+
+/// The most likely alignment of votes, from one of them on. (Gauss–Newton on the motions.)
+/// Precondition: there are votes. O(votes).
+template <typename Motion>
+LikelyAlignment<Motion> likely_alignment(const std::vector<AlignmentVote<Motion>>& votes) {
+  constexpr int unknowns = unknowns_v<Motion>;
+  using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
+  using Vector = Eigen::Matrix<double, unknowns, 1>;
+  LikelyAlignment<Motion> likely;
+  for (const auto& vote : votes) likely.middle += vote.T_a_camera.translation();
+  likely.middle /= static_cast<double>(votes.size());
+  Motion middle_a;
+  middle_a.T = Eigen::Translation3d(-likely.middle);
+  Motion& mean = likely.middle_b;
+  mean = middle_a * votes.front().a_b;
+  for (int iteration = 0; iteration < 10; ++iteration) {
+    Matrix information = Matrix::Zero();
+    Vector pull = Vector::Zero();
+    likely.chi2 = 0.0;
+    for (const auto& vote : votes) {
+      const Motion middle_b = middle_a * vote.a_b;
+      const Eigen::LLT<Matrix> of_vote(middle_b.covariance);
+      const Vector error = error_between(middle_b, mean);
+      information += of_vote.solve(Matrix::Identity());
+      pull += of_vote.solve(error);
+      likely.chi2 += error.dot(of_vote.solve(error));
+    }
+    const Eigen::LLT<Matrix> solver(information);
+    mean.covariance = solver.solve(Matrix::Identity());
+    const Vector step = solver.solve(pull);
+    correct(mean, step);
+    if (step.norm() < 1e-9) break;
+  }
+  return likely;
+}
+
+/// The same and its covariance: key frames of one place see the same objects and count as one, and
+/// votes that differ by more than they say make it wider.
+template <typename Motion>
+Motion mean_alignment(const std::vector<AlignmentVote<Motion>>& votes) {
+  LikelyAlignment<Motion> likely = likely_alignment(votes);
+  const double n = static_cast<double>(votes.size());
+  const double freedom = unknowns_v<Motion> * (n - 1.0);
+  const double scatter = n > 1.0 ? std::max(1.0, likely.chi2 / freedom) : 1.0;
+  const std::size_t places = places_of_voters(votes, scale_of(likely.middle_b));
+  likely.middle_b.covariance *= scatter * n / static_cast<double>(places);
+  return likely.a_b();
+}
+
+/// The largest set of votes that agree with one of them; where b's unit is not known, with what is
+/// likely by all of them as well: a vote that hardly knows its scale agrees with nearly every
+/// other, and these need not agree with each other. O(votes²).
+template <typename Motion>
+std::vector<AlignmentVote<Motion>> consensus(const std::vector<AlignmentVote<Motion>>& votes,
+                                             const AlignOptions& options) {
+  std::vector<AlignmentVote<Motion>> best;
   std::size_t most = 0;
-  for (const AlignmentVote& vote : votes) {
-    std::vector<AlignmentVote> found = agreeing(votes, vote.T_a_b, options);
-    const std::size_t count = voters(found);
+  for (const auto& vote : votes) {
+    std::vector<AlignmentVote<Motion>> found = agreeing(votes, vote.a_b, options);
+    std::size_t count = voters(found);
+    if constexpr (unknowns_v<Motion> == 7) {
+      for (std::size_t before = 0; count > most && found.size() != before;) {
+        before = found.size();
+        found = agreeing(found, likely_alignment(found).a_b(), options);
+        count = voters(found);
+      }
+    }
     if (count <= most) continue;
     most = count;
     best = std::move(found);
   }
   return best;
-}
-
-/// The most likely alignment of votes that agree, from one of them on, and its covariance: key
-/// frames of one place see the same objects and count as one, and votes that differ by more than
-/// they say make it wider. (Gauss–Newton on the poses.) Precondition: there are votes.
-inline PoseWithCovariance<> mean_alignment(const std::vector<AlignmentVote>& votes) {
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  // About the middle of the cameras, where lever arms are short.
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const AlignmentVote& vote : votes) middle += vote.T_a_camera.translation();
-  middle /= static_cast<double>(votes.size());
-  const PoseWithCovariance<> T_middle_a{Eigen::Isometry3d(Eigen::Translation3d(-middle)),
-                                        Matrix6::Zero()};
-  Eigen::Isometry3d T = (T_middle_a * votes.front().T_a_b).T;
-  Matrix6 covariance;
-  double chi2 = 0.0;
-  for (int iteration = 0; iteration < 10; ++iteration) {
-    Matrix6 information = Matrix6::Zero();
-    Vector6 pull = Vector6::Zero();
-    chi2 = 0.0;
-    for (const AlignmentVote& vote : votes) {
-      const PoseWithCovariance<> T_middle_b = T_middle_a * vote.T_a_b;
-      const Eigen::LLT<Matrix6> of_vote(T_middle_b.covariance);
-      const Vector6 xi = logarithm(T_middle_b.T * T.inverse());
-      information += of_vote.solve(Matrix6::Identity());
-      pull += of_vote.solve(xi);
-      chi2 += xi.dot(of_vote.solve(xi));
-    }
-    const Eigen::LLT<Matrix6> solver(information);
-    covariance = solver.solve(Matrix6::Identity());
-    const Vector6 step = solver.solve(pull);
-    const Eigen::Vector3d turn = step.tail<3>();
-    Eigen::Isometry3d move(Eigen::Translation3d(step.head<3>()));
-    if (turn.norm() > 0.0) move.rotate(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
-    T = move * T;
-    if (step.norm() < 1e-9) break;
-  }
-  const double n = static_cast<double>(votes.size());
-  const double scatter = n > 1.0 ? std::max(1.0, chi2 / (6.0 * (n - 1.0))) : 1.0;
-  covariance *= scatter * n / static_cast<double>(places_of_voters(votes));
-  return T_middle_a.inverse() * PoseWithCovariance<>{T, covariance};
 }
 
 }  // namespace detail

@@ -138,6 +138,7 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
       report.place_pose = RefinedPose{pose->T_candidate_query, pose->covariance};
       report.place_scale = pose->scale;
       report.place_scale_deviation = pose->scale_deviation;
+      report.place_scale_covariance = pose->scale_covariance;
     }
   }
   for (std::size_t i = 0; i < judged; ++i) {

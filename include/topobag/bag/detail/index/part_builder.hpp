@@ -9,6 +9,7 @@
 
 #include <topobag/bag/detail/index/bag_parts.hpp>
 #include <topobag/bag/detail/index/encoded_entry.hpp>
+#include <topobag/graph/detail/rescaled.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -41,12 +42,15 @@ class PartBuilder {
     segment_.add(id, info, graph, size);
   }
 
-  /// Another bag's entry, with what this one keeps of its graph.
-  void add(KeyframeId id, const EntryInfo& info, const StoredEntry& entry, ViewSection views) {
-    if (views == ViewSection::kept) {
+  /// Another bag's entry, with what this one keeps of its graph, in this one's unit.
+  /// @param scale  of that in one of the other's
+  void add(KeyframeId id, const EntryInfo& info, const StoredEntry& entry, ViewSection views,
+           double scale) {
+    if (views == ViewSection::kept && scale == 1.0) {
       add(id, info, entry.graph, entry.graph_size);
     } else {
-      const auto graph = stored_bytes(decode(entry.graph, entry.graph_size), views);
+      const auto own = decode(entry.graph, entry.graph_size);
+      const auto graph = stored_bytes(*Rescaled<TopologyGraph<double>>(own, scale), views);
       add(id, info, graph.data(), graph.size() - scan_margin);
     }
   }
