@@ -143,7 +143,7 @@ def test_an_indexed_bag_merges_and_compacts(random):
     smaller = topobag.IndexedBag()
     smaller.merge(b, topobag.MergeOptions(scale=0.5))
     for id in b:
-        assert np.allclose(smaller[id].nodes.positions, 0.5 * b[id].nodes.positions, atol=0.02, equal_nan=True)
+        assert np.allclose(smaller[id].nodes.positions, 0.5 * b[id].nodes.positions, atol=0.005, equal_nan=True)
     a.compact()
     result = a.search(random_graph(random), max_visited=1)
     assert result.entries == 10 and result.visited <= 10
