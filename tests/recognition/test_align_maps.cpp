@@ -76,6 +76,30 @@ TEST_CASE("maps of look-alike buildings are not joined", "[recognition]") {
   CHECK(one.T_a_b->T.isApprox(between_worlds(), 1e-2));
 }
 
+TEST_CASE("two maps that are alike in one room of many are not joined by it", "[recognition]") {
+  // Cameras stand alike in both: by the one room, each of b's would see what one of a's saw.
+  std::vector<unsigned> seeds_a, seeds_b;
+  for (unsigned room = 0; room < 12; ++room) {
+    seeds_a.push_back(100 + room);
+    seeds_b.push_back(room == 5 ? seeds_a.back() : 200 + room);
+  }
+  std::mt19937 random(6), same(6);
+  const auto a = map_of_rooms(seeds_a, Eigen::Isometry3d::Identity(), random);
+  const auto b = map_of_rooms(seeds_b, between_worlds().inverse(), same);
+  const MapAlignment alignment = align_maps(a, b);
+  CHECK_FALSE(alignment);
+  CHECK(alignment.verdict == AlignmentVerdict::contradicted);
+  CHECK(alignment.agreeing == 3);
+  CHECK(alignment.revisiting == 36);
+  AlignOptions trusting;
+  trusting.min_revisit_share = 0.0;
+  CHECK(align_maps(a, b, trusting));
+  // A map of that room alone has nothing that contradicts it.
+  std::mt19937 alone(7);
+  const auto room = map_of_rooms({seeds_a[5]}, between_worlds().inverse(), alone);
+  CHECK(align_maps(a, room));
+}
+
 TEST_CASE("maps of different buildings and maps without poses are told apart", "[recognition]") {
   std::mt19937 random(4);
   const auto a = map_of_rooms({1, 2, 3}, Eigen::Isometry3d::Identity(), random);

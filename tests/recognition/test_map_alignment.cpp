@@ -10,11 +10,12 @@ using namespace topobag;
 
 TEST_CASE("every verdict on two maps says its own reason", "[recognition]") {
   std::set<std::string> reasons;
-  for (const auto verdict : {AlignmentVerdict::aligned, AlignmentVerdict::no_poses,
-                             AlignmentVerdict::too_few, AlignmentVerdict::ambiguous}) {
+  for (const auto verdict :
+       {AlignmentVerdict::aligned, AlignmentVerdict::no_poses, AlignmentVerdict::too_few,
+        AlignmentVerdict::ambiguous, AlignmentVerdict::contradicted}) {
     reasons.insert(why(verdict));
   }
-  CHECK(reasons.size() == 4);
+  CHECK(reasons.size() == 5);
   CHECK(reasons.count("") == 0);
   CHECK_FALSE(MapAlignment{});
 }

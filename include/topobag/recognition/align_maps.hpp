@@ -58,18 +58,39 @@ inline void set_motion(MapAlignment& alignment, const Sim3WithCovariance& a_b) {
   alignment.scale_covariance = covariance.topRightCorner<6, 1>();
 }
 
+/// How many of map b's cameras stand, by an alignment, where one of a's did, and look the same way.
+/// O(cameras of a · cameras of b).
+template <typename Motion, typename Cameras>
+std::size_t revisiting_cameras(const Motion& a_b, const Cameras& of_a, const Cameras& of_b,
+                               const PlaceOptions& place) {
+  const auto revisits = [&](const auto& T_b_camera) {
+    const auto T_a_camera = camera_in(a_b, T_b_camera);
+    return std::any_of(of_a.begin(), of_a.end(), [&](const auto& T_a_other) {
+      if (!((T_a_other.translation() - T_a_camera.translation()).norm() <=
+            place.distinct_translation))
+        return false;
+      const auto between = (T_a_other.linear().transpose() * T_a_camera.linear()).eval();
+      return Eigen::AngleAxisd(between).angle() <= place.distinct_rotation;
+    });
+  };
+  return static_cast<std::size_t>(std::count_if(of_b.begin(), of_b.end(), revisits));
+}
+
 /// Asks map b's key frames in a, and on what motion the answers agree.
+/// @param cameras_a  of all key frames that a match could be of, as they stand in a
 /// @param usable     of b, with their poses
 /// @param alignment  is filled in
 template <typename Motion, typename View, typename B>
-void align_by_votes(const View& a, const B& b,
+void align_by_votes(const View& a, const std::vector<Eigen::Isometry3d>& cameras_a, const B& b,
                     const std::vector<std::pair<KeyframeId, Eigen::Isometry3d>>& usable,
                     const AlignOptions& options, MapAlignment& alignment) {
   const Relocalizer relocalizer(a, options.recognition);
   std::vector<AlignmentVote<Motion>> votes;
+  std::vector<Eigen::Isometry3d> cameras_b;
   alignment.asked = std::min(options.max_keyframes, usable.size());
   for (std::size_t i = 0; i < alignment.asked; ++i) {
     const auto& [id, T_b_camera] = usable[i * usable.size() / alignment.asked];
+    cameras_b.push_back(T_b_camera);
     const auto graph = b.find(id);
     if (graph) add_votes(votes, a, relocalizer.localize(*graph), id, T_b_camera);
     if (options.on_query) options.on_query();
@@ -89,8 +110,13 @@ void align_by_votes(const View& a, const B& b,
   alignment.rivalling = voters(consensus(others, options));
   const bool fits_as_well = static_cast<double>(alignment.rivalling) >
                             options.max_rival_share * static_cast<double>(alignment.agreeing);
-  alignment.verdict = fits_as_well ? AlignmentVerdict::ambiguous : AlignmentVerdict::aligned;
-  if (!fits_as_well) set_motion(alignment, mean);
+  alignment.revisiting = revisiting_cameras(mean, cameras_a, cameras_b, options.recognition.place);
+  const bool contradicted = static_cast<double>(alignment.agreeing) <
+                            options.min_revisit_share * static_cast<double>(alignment.revisiting);
+  alignment.verdict = fits_as_well   ? AlignmentVerdict::ambiguous
+                      : contradicted ? AlignmentVerdict::contradicted
+                                     : AlignmentVerdict::aligned;
+  if (alignment.verdict == AlignmentVerdict::aligned) set_motion(alignment, mean);
 }
 
 }  // namespace detail
@@ -98,9 +124,11 @@ void align_by_votes(const View& a, const B& b,
 /// How map b lies in map a, which were made apart: key frames of b are looked up in a, and the
 /// verified matches have to agree on one motion between the two worlds.
 ///
-/// Refused when too few agree, and when another motion has more than a share of them: two maps of
-/// buildings with equal rooms tell no more. Key frames without a pose in the world say nothing.
-/// Deterministic. Cost: a query for each key frame that is asked, and O(matches²).
+/// Refused when too few agree, when another motion has more than a share of them, as of two maps of
+/// buildings with equal rooms, and when it is contradicted: by it many of b's cameras stand where
+/// a's did, and hardly one recognises the place, as when two desks are alike in one corner. Key
+/// frames without a pose in the world say nothing. Deterministic. Cost: a query for each key frame
+/// that is asked, O(matches²), and O(asked · key frames of a).
 ///
 /// Where b's unit is not known (`AlignOptions::recognition.matching.scale`), each match is a
 /// Sim(3), and they have to agree on the scale as well; how far b's cameras stand apart then tells
@@ -120,16 +148,18 @@ MapAlignment align_maps(const A& a, const B& b, const AlignOptions& options = {}
     if (info.T_world_camera && graph.is_matchable()) usable.emplace_back(id, *info.T_world_camera);
   });
   MapAlignment alignment;
-  bool a_has_poses = false;
+  std::vector<Eigen::Isometry3d> cameras_a;
   present_a->for_each([&](KeyframeId, const EntryInfo& info, const Graph& graph) {
-    a_has_poses = a_has_poses || (info.T_world_camera && graph.is_matchable());
+    if (info.T_world_camera && graph.is_matchable()) cameras_a.push_back(*info.T_world_camera);
   });
-  if (usable.empty() || !a_has_poses) return alignment;
+  if (usable.empty() || cameras_a.empty()) return alignment;
 
   if (options.recognition.matching.scale) {
-    detail::align_by_votes<detail::Sim3WithCovariance>(*present_a, b, usable, options, alignment);
+    detail::align_by_votes<detail::Sim3WithCovariance>(*present_a, cameras_a, b, usable, options,
+                                                       alignment);
   } else {
-    detail::align_by_votes<PoseWithCovariance<>>(*present_a, b, usable, options, alignment);
+    detail::align_by_votes<PoseWithCovariance<>>(*present_a, cameras_a, b, usable, options,
+                                                 alignment);
   }
   return alignment;
 }
