@@ -13,21 +13,39 @@ need_packages libeigen3-dev libcgal-dev catch2 libcli11-dev nlohmann-json3-dev l
 cmake -S . -B build
 cmake --build build --parallel "$(nproc)" --target topobag_tests
 
-# The cases, counted by Catch2's own summary. A crash leaves a failing status even without one.
-log=build/tests/log.txt
-status=0
-build/tests/topobag_tests '~[long]' | tee "$log" || status=$?
-summary=$(grep -E '^(All tests passed|test cases:)' "$log" | tail -n 1 || true)
 passed=0
 failed=0
-if [[ $summary =~ ([0-9]+)\ test\ case || $summary =~ ([0-9]+)\ passed ]]; then passed=${BASH_REMATCH[1]}; fi
-if [[ $summary =~ ([0-9]+)\ failed\ *($|\|) ]]; then failed=${BASH_REMATCH[1]}; fi
-if [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; then failed=1; fi
+# count_cases LOG STATUS: by Catch2's own summary. A crash leaves a failing status even without one.
+count_cases() {
+  local summary failures=0
+  summary=$(grep -E '^(All tests passed|test cases:)' "$1" | tail -n 1 || true)
+  if [[ $summary =~ ([0-9]+)\ test\ case || $summary =~ ([0-9]+)\ passed ]]; then
+    passed=$((passed + BASH_REMATCH[1]))
+  fi
+  if [[ $summary =~ ([0-9]+)\ failed\ *($|\|) ]]; then failures=${BASH_REMATCH[1]}; fi
+  if [ "$2" -ne 0 ] && [ "$failures" -eq 0 ]; then failures=1; fi
+  failed=$((failed + failures))
+}
+
+# Those of the program beside all others: about half of the time each.
+halves=('[examples]~[fleet]~[long]' '~[examples]~[long],[fleet]~[long]')
+log=build/tests/log
+runs=()
+for half in 0 1; do
+  build/tests/topobag_tests "${halves[half]}" >"$log$half.txt" 2>&1 &
+  runs+=($!)
+done
+for half in 0 1; do
+  status=0
+  wait "${runs[half]}" || status=$?
+  cat "$log$half.txt"
+  count_cases "$log$half.txt" "$status"
+done
 
 # Whatever else ctest knows of.
 ctest --test-dir build --exclude-regex '^topobag_tests$' --output-on-failure --parallel "$(nproc)" \
-  --no-tests=ignore | tee "$log" || true
-if [[ $(<"$log") =~ ,\ ([0-9]+)\ tests?\ failed\ out\ of\ ([0-9]+) ]]; then
+  --no-tests=ignore | tee "$log.txt" || true
+if [[ $(<"$log.txt") =~ ,\ ([0-9]+)\ tests?\ failed\ out\ of\ ([0-9]+) ]]; then
   failed=$((failed + BASH_REMATCH[1]))
   passed=$((passed + BASH_REMATCH[2] - BASH_REMATCH[1]))
 fi

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include <topobag/matching/detail/cholesky.hpp>
+#include <topobag/types/detail/cholesky.hpp>
 #include <topobag/matching/match_bearings.hpp>
 
 #include "catch.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Of the library topobag::compiled: what TOPOBAG_COMPILED keeps other files from instantiating.
+#include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/match_graphs.hpp>
 #include <topobag/recognition/explain.hpp>
 
@@ -13,6 +14,10 @@ template GraphMatch detail::match_in_one_unit(const TopologyGraph<double>&,
                                               const MatchOptions&);
 template GraphMatch match_graphs(const TopologyGraph<double>&, const TopologyGraph<double>&,
                                  const MatchOptions&);
+template std::optional<RelativePose> judge_pose(const TopologyGraph<double>&,
+                                                const TopologyGraph<double>&,
+                                                const Eigen::Isometry3d&, const MatchOptions&,
+                                                double);
 template CandidateExplanation explain_candidate(const CandidateReport&,
                                                 const TopologyGraph<double>&,
                                                 const TopologyGraph<double>&, const ClassCatalog&,

@@ -4,12 +4,13 @@
 #include <ostream>
 #include <string>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <topobag/error.hpp>
 #include <topobag/evaluation/detail/pose_text.hpp>
 #include <topobag/evaluation/number_text.hpp>
+#include <topobag/types/detail/cholesky.hpp>
 #include <topobag/types/ids.hpp>
 #include <topobag/types/pose_with_covariance.hpp>
 
@@ -38,13 +39,13 @@ template <typename Pose>
 Eigen::Matrix<double, 6, 6> g2o_information(const Pose& T_from_to,
                                             G2oRotation rotation = G2oRotation::half_angles) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  const Eigen::LLT<Matrix6> covariance(T_from_to.template as<G2oPose>().covariance);
-  if (covariance.info() != Eigen::Success) {
+  const Matrix6 covariance = T_from_to.template as<G2oPose>().covariance;
+  Matrix6 information = detail::inverse_covariance(covariance);
+  if (!information.allFinite()) {
     throw InvalidValue(
         "the covariance of an edge's pose has no inverse: a factor is uncertain in all six "
         "directions");
   }
-  Matrix6 information = covariance.solve(Matrix6::Identity());
   if (rotation == G2oRotation::half_angles) {
     information.topRightCorner<3, 3>() *= 2.0;
     information.bottomLeftCorner<3, 3>() *= 2.0;

@@ -11,9 +11,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <topobag/matching/detail/cholesky.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/shared_vertical.hpp>
+#include <topobag/types/detail/cholesky.hpp>
 
 namespace topobag {
 inline namespace v0 {

@@ -20,13 +20,13 @@
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
-#include <topobag/matching/detail/cholesky.hpp>
 #include <topobag/matching/detail/slab.hpp>
 #include <topobag/matching/layout_prior.hpp>
 #include <topobag/matching/refine_pose.hpp>
 #include <topobag/matching/scale_range.hpp>
 #include <topobag/matching/shared_vertical.hpp>
 #include <topobag/matching/size_prior.hpp>
+#include <topobag/types/detail/cholesky.hpp>
 
 namespace topobag {
 inline namespace v0 {

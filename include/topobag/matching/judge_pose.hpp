@@ -32,5 +32,12 @@ std::optional<RelativePose> judge_pose(const TopologyGraph<Scalar>& candidate,
   return judge.settle(T_candidate_query, scale);
 }
 
+#ifdef TOPOBAG_COMPILED  // in the library topobag::compiled
+extern template std::optional<RelativePose> judge_pose(const TopologyGraph<double>&,
+                                                       const TopologyGraph<double>&,
+                                                       const Eigen::Isometry3d&,
+                                                       const MatchOptions&, double);
+#endif
+
 }  // namespace v0
 }  // namespace topobag

@@ -9,13 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <topobag/bag/entry_info.hpp>
 #include <topobag/bag/place_count.hpp>
 #include <topobag/recognition/detail/alignment_motion.hpp>
 #include <topobag/recognition/map_alignment.hpp>
+#include <topobag/types/detail/cholesky.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -117,15 +118,14 @@ LikelyAlignment<Motion> likely_alignment(const std::vector<AlignmentVote<Motion>
     likely.chi2 = 0.0;
     for (const auto& vote : votes) {
       const Motion middle_b = middle_a * vote.a_b;
-      const Eigen::LLT<Matrix> of_vote(middle_b.covariance);
-      const Vector error = error_between(middle_b, mean);
-      information += of_vote.solve(Matrix::Identity());
-      pull += of_vote.solve(error);
-      likely.chi2 += error.dot(of_vote.solve(error));
+      const Matrix of_vote = inverse_covariance(middle_b.covariance);
+      const Vector error = error_between(middle_b, mean), pulled = of_vote * error;
+      information += of_vote;
+      pull += pulled;
+      likely.chi2 += error.dot(pulled);
     }
-    const Eigen::LLT<Matrix> solver(information);
-    mean.covariance = solver.solve(Matrix::Identity());
-    const Vector step = solver.solve(pull);
+    mean.covariance = inverse_covariance(information);
+    const Vector step = mean.covariance * pull;
     correct(mean, step);
     if (step.norm() < 1e-9) break;
   }

@@ -10,9 +10,9 @@
 #include <Eigen/Geometry>
 
 #include <topobag/matching/correspondence.hpp>
-#include <topobag/matching/detail/cholesky.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/recognition/decision_options.hpp>
+#include <topobag/types/detail/cholesky.hpp>
 
 namespace topobag {
 inline namespace v0 {
