@@ -83,10 +83,14 @@ inline Detect table_detector(const std::vector<std::string>& tables) {
   };
 }
 
-/// Boxes that know their depths already.
+/// Boxes that know their depths already; none of an image whose depth image shows nothing.
 inline Detect undistorted(const Detect& boxes, const Calibration& calibration) {
   return [boxes, calibration](const Images& images) {
-    return topobag::undistorted(boxes(images), calibration.matrix, calibration.distortion);
+    auto found = boxes(images);
+    if (cv::countNonZero(images.depth) == 0) {
+      for (topobag::RangedDetection& box : found) box.z = 0.0;
+    }
+    return topobag::undistorted(found, calibration.matrix, calibration.distortion);
   };
 }
 

@@ -17,16 +17,15 @@ find_package(Pangolin QUIET)
 find_package(Threads REQUIRED)
 
 set(shared ${CMAKE_CURRENT_LIST_DIR})
-set(program ${CMAKE_CURRENT_LIST_DIR}/../topobag)  # reads the node tables
-add_executable(rgbd_tum_semantic ${shared}/rgbd_tum_semantic.cpp ${shared}/semantic_slam.cpp
-               ${program}/node_table.cpp ${program}/appearance_columns.cpp ${program}/depth_column.cpp
-               ${program}/label_column.cpp ${program}/csv_reader.cpp)
+set(program ${CMAKE_CURRENT_LIST_DIR}/../topobag)
+include(${shared}/table_sources.cmake)
+add_executable(rgbd_tum_semantic ${shared}/rgbd_tum_semantic.cpp ${shared}/semantic_slam.cpp ${table_sources})
 target_include_directories(rgbd_tum_semantic PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${shared} ${program})
 target_include_directories(rgbd_tum_semantic SYSTEM PRIVATE
   ${host_root} ${host_root}/include ${host_includes} ${Pangolin_INCLUDE_DIRS})
 separate_arguments(flags NATIVE_COMMAND "${host_flags}")
 target_compile_options(rgbd_tum_semantic PRIVATE ${flags} -Wall -Wextra -Wpedantic -Wshadow -Wno-maybe-uninitialized
-  -Wno-uninitialized)  # both of what g++ 12 says of its own headers of AVX-512
+  -Wno-uninitialized -Wno-array-bounds)  # all of what g++ 12 says of its own headers of AVX-512
 target_link_libraries(rgbd_tum_semantic PRIVATE topobag::opencv CLI11::CLI11 Threads::Threads
   ${host_root}/lib/${host_library} ${host_root}/Thirdparty/DBoW2/lib/libDBoW2.so
   ${host_root}/Thirdparty/g2o/lib/libg2o.so ${OpenCV_LIBS} ${Pangolin_LIBRARIES})
