@@ -3,6 +3,7 @@
 // linked of.
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -20,6 +21,10 @@ std::string small_table(const ScratchFolder& folder) {
                "idx,class_id,class,conf,u,v,w,h,z\n"
                "0,56,chair,0.9,100,200,40,60,2.5\n0,62,tv,0.8,300,200,80,50,3.5\n");
   return folder.path("set");
+}
+
+semantic::TableRows rows_of(const ScratchFolder& folder) {
+  return semantic::TableRows({small_table(folder)});
 }
 
 semantic::Images images_at(double stamp, const cv::Mat& depth) {
@@ -43,7 +48,7 @@ semantic::Calibration plain_calibration() {
 
 TEST_CASE("a node table answers for the images of its stamps", "[hooks][regression]") {
   const ScratchFolder folder;
-  const semantic::Detect boxes = semantic::table_detector({small_table(folder)});
+  const semantic::Detect boxes = semantic::table_detector(rows_of(folder));
   const cv::Mat depth = cv::Mat::ones(4, 4, CV_16U);
   const auto found = boxes(images_at(10.5, depth));
   REQUIRE(found.size() == 2);
@@ -58,7 +63,7 @@ TEST_CASE("a table's depths are forgotten where an image comes without depth",
           "[hooks][regression]") {
   const ScratchFolder folder;
   const semantic::Detect boxes =
-      semantic::undistorted(semantic::table_detector({small_table(folder)}), plain_calibration());
+      semantic::undistorted(semantic::table_detector(rows_of(folder)), plain_calibration());
   cv::Mat depth = cv::Mat::zeros(4, 4, CV_16U);
   auto found = boxes(images_at(10.5, depth));
   REQUIRE(found.size() == 2);
@@ -70,4 +75,23 @@ TEST_CASE("a table's depths are forgotten where an image comes without depth",
   REQUIRE(found.size() == 2);
   CHECK(found[0].z == 2.5);
   CHECK(found[1].z == 3.5);
+}
+
+TEST_CASE("tables of another sequence than the images' are refused", "[hooks][regression]") {
+  const ScratchFolder folder;
+  const semantic::TableRows rows = rows_of(folder);
+  const auto said = [&rows](const std::vector<semantic::FramePaths>& frames) {
+    try {
+      rows.require_some_of(frames, "--kidnap-detections");
+    } catch (const topobag::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  CHECK(said({{11.5, "b.png", "b_depth.png"}}) == "nothing");  // it has no box, but a row
+  CHECK(said({{9.0, "0.png", "0_depth.png"}, {10.500009, "a.png", "a_depth.png"}}) == "nothing");
+  CHECK(said({}) == "nothing");
+  CHECK(said({{10.6, "s/rgb/c.png", "s/depth/c.png"}}) ==
+        "s/rgb/c.png: no table has this image, nor any other of its sequence; name the table of "
+        "the sequence with --kidnap-detections");
 }
