@@ -26,7 +26,7 @@ class Source:
             with open(self.path, newline="", encoding="utf-8", errors="surrogateescape") as file:
                 self.text = file.read()
         except OSError as error:
-            raise Refused(f"{name} cannot be read: {error.strerror}") from error
+            raise Refused(f"the file cannot be read: {error.strerror}") from error
         self.newline = "\r\n" if "\r\n" in self.text else "\n"
         self.edits = []  # (begin, end, what stands there then)
         self.parse()
@@ -123,8 +123,15 @@ def plan_copy(folder, name, root, remove):
 
 def add_hooks(list_path, root, remove=False, dry_run=False, out=print):
     """Does it, or raises Refused and changes nothing."""
-    with open(list_path, encoding="utf-8") as file:
-        wanted = json.load(file)
+    try:
+        with open(list_path, encoding="utf-8") as file:
+            wanted = json.load(file)
+    except OSError as error:
+        raise Refused(f"{list_path} cannot be read: {error.strerror}") from error
+    except ValueError as error:
+        raise Refused(f"{list_path} is no list of hooks, which is JSON: {error}") from error
+    if not os.path.isdir(root):
+        raise Refused(f"{root} is not there, or no folder; name the host's source folder")
     folder = os.path.dirname(os.path.abspath(list_path))
     sources, report, refused = {}, [], []
     copies = []
@@ -142,7 +149,7 @@ def add_hooks(list_path, root, remove=False, dry_run=False, out=print):
         except Refused as why:
             refused.append(f"{name}: {why}")
     if refused:
-        raise Refused("\n".join(refused))
+        raise Refused("\n".join(dict.fromkeys(refused)))  # each reason once
     for what, target, path, content in copies:
         out(f"{what:12} {target}")
         if dry_run or what in ("is there", "is not there"):

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,9 +15,8 @@
 #include <topobag/sensing/range_detections.hpp>
 #include <topobag/sensing/sparse_depth.hpp>
 
-#include <node_table.hpp>
-
 #include "semantic_slam.hpp"
+#include "table_rows.hpp"
 
 namespace semantic {
 
@@ -66,27 +64,22 @@ inline Calibration read_calibration(const std::string& settings) {
   return calibration;
 }
 
-/// What the rows of node tables say, by the stamp of the image; neither undistorted.
-inline Detect table_detector(const std::vector<std::string>& tables) {
-  std::map<double, std::vector<topobag::RangedDetection>> rows;
-  for (const std::string& table : tables) {
-    for (program::FrameRow& frame : program::read_node_table(table).frames) {
-      rows[frame.timestamp] = std::move(frame.detections);
-    }
-  }
+/// What the rows of node tables say; neither undistorted. Nothing of an image that they lack.
+inline Detect table_detector(TableRows rows) {
   return [rows = std::move(rows)](const Images& images) {
-    const auto found = rows.lower_bound(images.stamp - 1e-5);
-    if (found == rows.end() || found->first > images.stamp + 1e-5) {
-      return std::vector<topobag::RangedDetection>{};
-    }
-    return found->second;
+    const TableRows::Boxes* found = rows.find(images.stamp);
+    return found ? *found : TableRows::Boxes{};
   };
 }
 
-/// Boxes that know their depths already.
+/// Boxes that know their depths already; none of an image whose depth image shows nothing.
 inline Detect undistorted(const Detect& boxes, const Calibration& calibration) {
   return [boxes, calibration](const Images& images) {
-    return topobag::undistorted(boxes(images), calibration.matrix, calibration.distortion);
+    auto found = boxes(images);
+    if (cv::countNonZero(images.depth) == 0) {
+      for (topobag::RangedDetection& box : found) box.z = 0.0;
+    }
+    return topobag::undistorted(found, calibration.matrix, calibration.distortion);
   };
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -50,10 +51,34 @@ struct Arguments {
   bool no_wait = false;
 };
 
-Detect make_detect(const Arguments& arguments, const Calibration& calibration) {
+/// The frames that are shown to the lost tracker, none by default.
+struct Kidnap {
+  explicit Kidnap(const Arguments& arguments) {
+    if (arguments.kidnap_sequence.empty()) return;
+    frames = read_associations(arguments.kidnap_sequence, arguments.kidnap_associations);
+    required_truth(arguments.sequence);  // by which the map is laid onto the truth
+    truth = required_truth(arguments.kidnap_sequence);
+  }
+
+  std::vector<FramePaths> frames;
+  topobag::Trajectory truth;
+};
+
+/// The boxes of the tables, which have to be those of the sequences.
+Detect boxes_of_tables(const Arguments& arguments, const std::vector<FramePaths>& frames,
+                       const Kidnap& kidnap) {
   std::vector<std::string> tables{arguments.table};
   if (!arguments.kidnap_table.empty()) tables.push_back(arguments.kidnap_table);
-  const Detect boxes = arguments.model.empty() ? table_detector(tables)
+  TableRows rows(tables);
+  rows.require_some_of(frames, "--detections");
+  rows.require_some_of(kidnap.frames, "--kidnap-detections");
+  return table_detector(std::move(rows));
+}
+
+Detect make_detect(const Arguments& arguments, const Calibration& calibration,
+                   const std::vector<FramePaths>& frames, const Kidnap& kidnap) {
+  if (arguments.stock) return {};
+  const Detect boxes = arguments.model.empty() ? boxes_of_tables(arguments, frames, kidnap)
                                                : network_detector(arguments.model, calibration);
   if (arguments.depth == "points") return with_feature_depths(boxes, calibration);
   if (arguments.depth == "stereo") return with_disparities(boxes, calibration);
@@ -72,9 +97,11 @@ class Run {
       : arguments_(arguments),
         calibration_(read_calibration(arguments.settings)),
         stereo_(arguments.depth == "stereo"),
+        frames_(read_associations(arguments.sequence, arguments.associations)),
+        kidnap_(arguments),
+        detect_(make_detect(arguments, calibration_, frames_, kidnap_)),
         slam_(arguments.vocabulary, arguments.settings,
               stereo_ ? host::System::STEREO : host::System::RGBD, false) {
-    if (!arguments.kidnap_sequence.empty()) kidnap_truth_ = read_truth(arguments.kidnap_sequence);
     if (arguments.stock) return;
     Settings settings;
     settings.camera = calibration_.camera;
@@ -86,8 +113,8 @@ class Run {
     settings.lost_window = arguments.kidnap_window;
     if (arguments.mask) settings.mask = topobag::DynamicFeatureOptions{};
     semantic_ = std::make_unique<SemanticSlam>(
-        settings, topobag::ClassCatalog::coco80(), make_detect(arguments, calibration_),
-        [this](double stamp) { return true_pose(kidnap_truth_, stamp); });
+        settings, topobag::ClassCatalog::coco80(), detect_,
+        [this](double stamp) { return true_pose(kidnap_.truth, stamp); });
     host::hold_poses(*semantic_, slam_);
     if (!arguments.load_sightings.empty()) {
       std::cout << semantic_->load(arguments.load_sightings) << " sightings restored\n";
@@ -100,23 +127,22 @@ class Run {
   ~Run() { stop(); }
 
   void track() {
-    const auto frames = read_associations(arguments_.sequence, arguments_.associations);
     std::vector<double> ms;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      const Images images = read_images(frames[i]);
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      const Images images = read_images(frames_[i]);
       const program::Stopwatch watch;
       const auto Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
       if (host::is_tracking(slam_)) {
         tracked_.push_back({images.stamp, world_camera(Tcw)});
       }
-      if (!arguments_.no_wait && i + 1 < frames.size()) {
-        const double left = (frames[i + 1].stamp - images.stamp) - ms.back() / 1000.0;
+      if (!arguments_.no_wait && i + 1 < frames_.size()) {
+        const double left = (frames_[i + 1].stamp - images.stamp) - ms.back() / 1000.0;
         if (left > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
       }
     }
     if (semantic_) semantic_->wait_idle();
-    std::cout << "\nframes: " << frames.size() << ", tracked: " << tracked_.size() << '\n';
+    std::cout << "\nframes: " << frames_.size() << ", tracked: " << tracked_.size() << '\n';
     const auto truth = read_truth(arguments_.sequence);
     const auto pairs = topobag::associate(truth, tracked_);
     alignment_ = topobag::align(pairs);
@@ -141,18 +167,18 @@ class Run {
   /// Shows frames of another sequence alone to the lost tracker, blank frames between.
   void kidnap() {
     host::stop_mapping(slam_);
-    const auto frames =
-        read_associations(arguments_.kidnap_sequence, arguments_.kidnap_associations);
+    // What a tracker was offered that lost its way before is no answer to these frames.
+    const std::size_t offered_before = semantic_ ? semantic_->offered_places().size() : 0;
     std::ofstream file(arguments_.out + "/relocalizations.csv");
     file << "stamp,relocalized,error_m,error_deg\n";
     std::size_t shown = 0, found = 0;
     std::vector<topobag::PoseError> errors;
     std::set<double> relocalized;
     std::vector<double> ms;
-    for (std::size_t i = 0; i < frames.size(); i += arguments_.kidnap_every) {
-      Images images = read_images(frames[i]);
+    for (std::size_t i = 0; i < kidnap_.frames.size(); i += arguments_.kidnap_every) {
+      Images images = read_images(kidnap_.frames[i]);
       if (arguments_.kidnap_without_depth) images.depth.setTo(0.0);
-      const auto truth = true_pose(kidnap_truth_, images.stamp);
+      const auto truth = true_pose(kidnap_.truth, images.stamp);
       if (!truth) continue;
       for (const double before : {0.02, 0.01}) {
         track_frame({cv::Mat::zeros(images.rgb.size(), images.rgb.type()),
@@ -178,7 +204,9 @@ class Run {
     print_errors("error", errors);
     print_times("kidnapped: whole frame", ms);
     if (!semantic_) return;
-    report_places(*semantic_, relocalized, kidnap_truth_, alignment_);
+    auto offered = semantic_->offered_places();
+    offered.erase(offered.begin(), offered.begin() + static_cast<std::ptrdiff_t>(offered_before));
+    report_places(offered, relocalized, kidnap_.truth, alignment_);
     for (const auto& [name, times] : semantic_->times()) {
       if (name.rfind("tracking, lost", 0) == 0) print_times(name, times);
     }
@@ -208,8 +236,11 @@ class Run {
 
   const Arguments& arguments_;
   const Calibration calibration_;
+  // What can be wrong with the user's files shows before the host reads its vocabulary.
   const bool stereo_;
-  topobag::Trajectory kidnap_truth_;
+  const std::vector<FramePaths> frames_;
+  const Kidnap kidnap_;
+  const Detect detect_;
   host::System slam_;
   std::unique_ptr<SemanticSlam> semantic_;
   topobag::Trajectory tracked_;
@@ -246,19 +277,20 @@ int main(int argc, char** argv) {
       app.add_option("--kidnap-associations", arguments.kidnap_associations, "Its pairs of images");
   app.add_option("--kidnap", arguments.kidnap_sequence, "Then shows frames of this sequence alone")
       ->needs(kidnap_associations);
-  app.add_option("--kidnap-detections", arguments.kidnap_table, "Its node table");
+  app.add_option("--kidnap-detections", arguments.kidnap_table, "Its node table")->needs(table);
   app.add_option("--kidnap-every", arguments.kidnap_every, "Every so many of its frames")
       ->check(CLI::PositiveNumber);
   app.add_option("--kidnap-window", arguments.kidnap_window,
                  "Seconds of shown frames in one graph, joined by the true relative poses");
   app.add_flag("--kidnap-without-depth", arguments.kidnap_without_depth,
-               "The shown frames come without depth: with --depth points, by directions alone");
+               "The shown frames come without depth: they are looked up by directions alone");
   CLI11_PARSE(app, argc, argv);
   if (!arguments.stock && arguments.table.empty() && arguments.model.empty()) {
     std::cerr << "give --detections or --model, or --stock\n";
     return 2;
   }
   try {
+    std::filesystem::create_directories(arguments.out);
     semantic::Run run(arguments);
     run.track();
     if (!arguments.kidnap_sequence.empty()) run.kidnap();

@@ -58,6 +58,16 @@ inline topobag::Trajectory read_truth(const std::string& sequence) {
   return std::ifstream(path) ? topobag::read_tum(path) : topobag::Trajectory{};
 }
 
+/// The same where there is nothing to do without it. Throws topobag::Error where it is not at hand.
+inline topobag::Trajectory required_truth(const std::string& sequence) {
+  topobag::Trajectory truth = read_truth(sequence);
+  if (truth.empty()) {
+    throw topobag::Error(sequence +
+                         "/groundtruth.txt: there are no poses to score a kidnapped camera by");
+  }
+  return truth;
+}
+
 /// Nothing where the truth has a gap of more than 0.1 s, or is not at hand.
 inline std::optional<Eigen::Isometry3d> true_pose(const topobag::Trajectory& truth, double stamp) {
   return topobag::pose_at(truth, stamp, 0.1, topobag::RotationInterpolation::slerp);

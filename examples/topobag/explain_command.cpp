@@ -17,6 +17,7 @@
 #include "number_check.hpp"
 #include "object_map.hpp"
 #include "output_files.hpp"
+#include "path_kind.hpp"
 #include "recognition_options.hpp"
 
 namespace program {

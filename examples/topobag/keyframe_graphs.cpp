@@ -16,6 +16,7 @@
 #include "cluster_table.hpp"
 #include "frame_poses.hpp"
 #include "input_error.hpp"
+#include "path_kind.hpp"
 #include "pose_units.hpp"
 #include "progress.hpp"
 #include "table_checks.hpp"

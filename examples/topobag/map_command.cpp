@@ -15,6 +15,7 @@
 #include "map_kind.hpp"
 #include "option_use.hpp"
 #include "output_files.hpp"
+#include "path_kind.hpp"
 #include "saved_map.hpp"
 
 namespace program {

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <system_error>
 #include <utility>
 
 #include <topobag/edges/knn_edges.hpp>
@@ -105,14 +103,6 @@ void tell_of_relation(const ObjectMapOptions& options, const std::string& map) {
               << " and is used for " << map << ": scale, deviation and words are those of the "
               << "other\n";
   }
-}
-
-bool is_object_map(const std::string& path) {
-  std::error_code unreadable;
-  if (!std::filesystem::is_regular_file(path, unreadable)) return false;
-  std::ifstream file(path, std::ios::binary);
-  char first = '\0';
-  return file >> first && first == '{';
 }
 
 std::vector<MappedObject> read_object_map(const std::string& path,

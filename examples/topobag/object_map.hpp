@@ -35,9 +35,6 @@ struct ObjectMapOptions {
 /// which.
 void tell_of_relation(const ObjectMapOptions& options, const std::string& map);
 
-/// Whether a file is a map of objects: by its first character, whatever its name.
-bool is_object_map(const std::string& path);
-
 /// Reads a map of objects: JSON with `nodes`, of each `translation` (x, y, z, m), optionally
 /// `radii` (half its extent, m; their sign means nothing) and `baseline_label`, number of a class →
 /// its weight, or a list that begins with it. Throws InputError with the file and the node.

@@ -8,7 +8,6 @@
 
 #include "input_error.hpp"
 #include "node_table.hpp"
-#include "object_map.hpp"
 
 namespace program {
 namespace {
@@ -48,6 +47,13 @@ PathKind path_kind(const std::string& path) {
   if (beginning.compare(0, 15, "SQLite format 3") == 0) return PathKind::sqlite_map;
   if (beginning.compare(0, 8, "\x89TBG\r\n\x1a\n") == 0) return PathKind::snapshot;
   return set_name(path) != path && is_table ? PathKind::table : PathKind::other;
+}
+
+bool is_object_map(const std::string& path) {
+  if (!is_file(path)) return false;
+  std::ifstream file(path, std::ios::binary);
+  char first = '\0';
+  return file >> first && first == '{';
 }
 
 std::string found_at(const std::string& path) {

@@ -49,15 +49,6 @@ TEST_CASE("numbers of a map's own words go after the catalog's", "[examples]") {
   CHECK(catalog.name(objects[0].label()) == "word 41");
 }
 
-TEST_CASE("a map of objects is told by its content", "[examples]") {
-  const ScratchFolder folder;
-  CHECK(is_object_map(folder.write("any.name", two_objects)));
-  CHECK_FALSE(is_object_map(folder.write("table.csv", "idx,frame\n")));
-  CHECK_FALSE(is_object_map(folder.write("empty", "")));
-  CHECK_FALSE(is_object_map(folder.path()));
-  CHECK_FALSE(is_object_map(folder.path("absent")));
-}
-
 TEST_CASE("what is wrong with a map of objects is told with its node", "[examples]") {
   const std::string good = R"({"translation": [1, 2, 3], "baseline_label": {"41": [1]}})";
   CHECK(object_map_error(good) == "nothing was thrown");

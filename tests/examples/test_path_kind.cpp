@@ -47,6 +47,16 @@ TEST_CASE("what lies at a path is told by what is there, not by its name", "[exa
   CHECK(path_kind(each.loop) == PathKind::unreadable);
 }
 
+TEST_CASE("a map of objects is told by its content", "[examples]") {
+  const EachKind each;
+  CHECK(program::is_object_map(each.objects));
+  CHECK_FALSE(program::is_object_map(each.note));
+  CHECK_FALSE(program::is_object_map(each.table + ".frames.csv"));
+  CHECK_FALSE(program::is_object_map(each.folder.write("empty", "")));
+  CHECK_FALSE(program::is_object_map(each.folder.path()));
+  CHECK_FALSE(program::is_object_map(each.nothing));
+}
+
 TEST_CASE("a map of objects is wanted, and another input is named", "[examples][regression]") {
   const EachKind each;
   const auto said = [](const std::string& path) {

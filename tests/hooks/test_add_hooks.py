@@ -222,7 +222,7 @@ class AddHooks(unittest.TestCase):
 
     def test_a_missing_file_is_refused(self):
         self.hooks = HOOKS + [{"file": "None.cc", "include": "Hooks.h"}]
-        self.refused_for("None.cc cannot be read")
+        self.refused_for("None.cc: the file cannot be read: ")
 
     def test_a_header_of_somebody_else_is_not_overwritten(self):
         self.write("include/Hooks.h", "int theirs;\n")
