@@ -9,11 +9,30 @@ import os
 import sys
 
 
+class Refused(Exception):
+    """Why nothing was paired."""
+
+
+def entry(path, number, line):
+    """(stamp as it is written, image) of a line."""
+    words = line.split()
+    try:
+        float(words[0])
+        return words[0], words[1]
+    except (ValueError, IndexError):
+        raise Refused(f"{path}:{number}: a line is the time of an image, s, and its file") from None
+
+
 def read_list(path):
     """(stamp as it is written, image) of each line that is no comment, in the order of time."""
-    with open(path, encoding="utf-8") as file:
-        lines = [line.split() for line in file if line.strip() and not line.startswith("#")]
-    return sorted(((words[0], words[1]) for words in lines), key=lambda entry: float(entry[0]))
+    try:
+        with open(path, encoding="utf-8") as file:
+            lines = [(i, line) for i, line in enumerate(file, 1) if line.strip() and not line.startswith("#")]
+    except OSError as error:
+        raise Refused(f"{path} cannot be read: {error.strerror}") from error
+    if not lines:
+        raise Refused(f"{path}: there are no images in it")
+    return sorted((entry(path, *line) for line in lines), key=lambda image: float(image[0]))
 
 
 def associate(images, depths):
@@ -25,8 +44,16 @@ def associate(images, depths):
         yield f"{stamp} {image} {depths[nearest][0]} {depths[nearest][1]}"
 
 
-if __name__ == "__main__":
-    if len(sys.argv) != 2:
+def main(arguments):
+    if len(arguments) != 1:
         sys.exit(__doc__)
-    for line in associate(*(read_list(os.path.join(sys.argv[1], name)) for name in ("rgb.txt", "depth.txt"))):
+    try:
+        lists = [read_list(os.path.join(arguments[0], name)) for name in ("rgb.txt", "depth.txt")]
+    except Refused as why:
+        sys.exit(str(why))
+    for line in associate(*lists):
         print(line)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

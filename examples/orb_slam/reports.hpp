@@ -96,6 +96,9 @@ inline void report_map(const SemanticSlam& semantic, bool mask) {
             << " in the bag; exceptions: " << semantic.failures().first;
   if (semantic.failures().first > 0) std::cout << ", the last: " << semantic.failures().second;
   std::cout << '\n';
+  for (const auto& [why, count] : semantic.lost_key_frames()) {
+    std::cout << "  " << count << " key frames without objects: " << why << '\n';
+  }
   if (mask) {
     const MaskedFeatures masked = semantic.masked_features();
     std::cout << "features masked: " << masked.dropped << " of " << masked.seen << ", in "

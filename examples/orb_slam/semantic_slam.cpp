@@ -24,8 +24,11 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
       odometry_(std::move(odometry)),
       database_(settings.database, [this](const Frame& frame) { return sight_of_lost(frame); }),
       thread_([this](const Job& job) { work(job); }, settings.thread,
-              [this](const Job& job, const std::string&) {
-                if (job.id) database_.give_up(job.epoch, *job.id);  // loop closing does not wait
+              [this](const Job& job, const std::string& why) {
+                if (!job.id) return;
+                database_.give_up(job.epoch, *job.id);  // loop closing does not wait
+                const std::lock_guard<std::mutex> lock(mutex_);
+                ++lost_key_frames_[why];
               }) {}
 
 SemanticSlam::~SemanticSlam() { thread_.stop(); }
@@ -153,6 +156,11 @@ std::size_t SemanticSlam::load(const std::string& path) {
 void SemanticSlam::PlacesTried(int accepted) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!offered_places_.empty()) offered_places_.back().accepted = accepted;
+}
+
+std::map<std::string, std::size_t> SemanticSlam::lost_key_frames() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return lost_key_frames_;
 }
 
 std::vector<OfferedLoop> SemanticSlam::offered_loops() const {

@@ -110,6 +110,8 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
 
   std::size_t size() const { return database_.size(); }
   topobag::TopologyThreadCounts counts() const { return thread_.counts(); }
+  /// How many key frames failed or were given up, by the reason.
+  std::map<std::string, std::size_t> lost_key_frames() const;
   std::pair<std::size_t, std::string> failures() const { return database_.failures(); }
   MaskedFeatures masked_features() const { return masked_; }  ///< on tracking's thread
   std::vector<OfferedLoop> offered_loops() const;
@@ -158,6 +160,7 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
 
   mutable std::mutex mutex_;  ///< of what follows
   std::map<std::string, std::vector<double>> times_;
+  std::map<std::string, std::size_t> lost_key_frames_;
   std::vector<OfferedLoop> offered_loops_, offered_merges_;
   std::vector<OfferedPlaces> offered_places_;
 
