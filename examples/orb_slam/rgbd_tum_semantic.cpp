@@ -25,6 +25,7 @@
 
 #include <stopwatch.hpp>
 
+#include "arguments.hpp"
 #include "detectors.hpp"
 #include "reports.hpp"
 #include "semantic_slam.hpp"
@@ -32,24 +33,6 @@
 
 namespace semantic {
 namespace {
-
-struct Arguments {
-  std::string vocabulary, settings, sequence, associations;
-  std::string table, model;
-  std::string depth = "rgbd";
-  std::string kidnap_sequence, kidnap_associations, kidnap_table;
-  std::size_t kidnap_every = 12;
-  double kidnap_window = 0.0;
-  bool kidnap_without_depth = false;
-  double window = 3.0;
-  std::size_t max_places = 5;
-  std::size_t candidates = 0;
-  std::string out = ".";
-  std::string load_sightings, save_sightings;
-  bool mask = false;
-  bool stock = false;
-  bool no_wait = false;
-};
 
 /// The frames that are shown to the lost tracker, none by default.
 struct Kidnap {
@@ -254,36 +237,7 @@ class Run {
 int main(int argc, char** argv) {
   semantic::Arguments arguments;
   CLI::App app(std::string(host::name) + " with a bag of topology graphs, on a TUM RGB-D sequence");
-  app.add_option("VOC", arguments.vocabulary, "ORB vocabulary, text")->required();
-  app.add_option("SETTINGS", arguments.settings, "The host's settings, YAML")->required();
-  app.add_option("SEQUENCE", arguments.sequence, "Folder of the sequence")->required();
-  app.add_option("ASSOCIATIONS", arguments.associations, "Pairs of images")->required();
-  auto* table = app.add_option("--detections", arguments.table, "Node table of the sequence");
-  app.add_option("--model", arguments.model, "YOLOX network, ONNX")->excludes(table);
-  app.add_option("--depth", arguments.depth,
-                 "Of the boxes: rgbd = the table's own or the depth image; points = the host's own "
-                 "features in them; stereo = a rectified pair, the right images in place of depth")
-      ->check(CLI::IsMember({"rgbd", "points", "stereo"}));
-  app.add_flag("--mask", arguments.mask, "Track without the features on what moves")->needs(table);
-  app.add_flag("--stock", arguments.stock, "Without the bag");
-  app.add_flag("--no-wait", arguments.no_wait, "As fast as it goes, not at the camera's pace");
-  app.add_option("--window", arguments.window, "Seconds of key frames in one graph");
-  app.add_option("--places", arguments.max_places, "Places offered to a lost tracker");
-  app.add_option("--candidates", arguments.candidates, "Key frames whose graphs are matched [3]");
-  app.add_option("--out", arguments.out, "Folder for trajectories, loops, re-localizations");
-  app.add_option("--load-sightings", arguments.load_sightings, "Of the map that the host loads");
-  app.add_option("--save-sightings", arguments.save_sightings, "Beside the map that it saves");
-  auto* kidnap_associations =
-      app.add_option("--kidnap-associations", arguments.kidnap_associations, "Its pairs of images");
-  app.add_option("--kidnap", arguments.kidnap_sequence, "Then shows frames of this sequence alone")
-      ->needs(kidnap_associations);
-  app.add_option("--kidnap-detections", arguments.kidnap_table, "Its node table")->needs(table);
-  app.add_option("--kidnap-every", arguments.kidnap_every, "Every so many of its frames")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--kidnap-window", arguments.kidnap_window,
-                 "Seconds of shown frames in one graph, joined by the true relative poses");
-  app.add_flag("--kidnap-without-depth", arguments.kidnap_without_depth,
-               "The shown frames come without depth: they are looked up by directions alone");
+  add_options(app, arguments);
   CLI11_PARSE(app, argc, argv);
   if (!arguments.stock && arguments.table.empty() && arguments.model.empty()) {
     std::cerr << "give --detections or --model, or --stock\n";
