@@ -161,28 +161,6 @@ TEST_CASE("other classes, other schemas and copies of a map are refused", "[post
   CHECK(rows_in(conninfo) == "2");
 }
 
-TEST_CASE("an old copy of a map is told from the latest", "[postgres]") {
-  if (!PostgresServer::is_installed()) return;
-  const ScratchFolder folder;
-  std::mt19937 random(4);
-  const std::string conninfo = shared_postgres().new_base();
-  PostgresStore store(conninfo);
-  store.prepare();
-  store.add_site("hall", 0);
-  const std::string path = folder.path("map.db"), old = folder.path("old.db");
-  enlist(path, "hall", Uuid{5});
-  SqliteBag<>(path).add(KeyframeId{1}, random_graph(random, 5));
-  std::filesystem::copy_file(path, old);
-  SqliteBag<>(path).add(KeyframeId{2}, random_graph(random, 5));
-  push(FleetOutbox(path), store);
-  CHECK(holds(error_text([&] { push(FleetOutbox(old), store); }), "an old copy"));
-  SqliteBag<>(old).add(KeyframeId{2}, random_graph(random, 5));
-  SqliteBag<>(old).add(KeyframeId{3}, random_graph(random, 5));
-  CHECK(holds(error_text([&] { push(FleetOutbox(old), store); }), "a copy of the map is in use"));
-  CHECK(push(FleetOutbox(path), store) == 0);
-  CHECK(rows_in(conninfo) == "2");
-}
-
 TEST_CASE("a link that is cut, silent or lies changes nothing and doubles nothing", "[postgres]") {
   if (!PostgresServer::is_installed()) return;
   const ScratchFolder folder;

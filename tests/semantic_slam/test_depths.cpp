@@ -9,19 +9,10 @@
 #include <feature_depths.hpp>
 
 #include "catch.hpp"
+#include "semantic_slam/small_calibration.hpp"
 #include "semantic_slam/small_frame.hpp"
 
 namespace {
-
-semantic::Calibration small_calibration() {
-  semantic::Calibration calibration;
-  calibration.camera = {500.0, 500.0, 319.5, 239.5, 640, 480};
-  calibration.matrix =
-      (cv::Mat_<double>(3, 3) << 500.0, 0.0, 319.5, 0.0, 500.0, 239.5, 0.0, 0.0, 1.0);
-  calibration.distortion = cv::Mat::zeros(5, 1, CV_64F);
-  calibration.baseline = 0.1;
-  return calibration;
-}
 
 /// A box of each half of the image, with a depth that is to be forgotten.
 std::vector<topobag::RangedDetection> two_boxes(const semantic::Images&) {

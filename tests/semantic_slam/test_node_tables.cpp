@@ -11,6 +11,7 @@
 
 #include "catch.hpp"
 #include "scratch_folder.hpp"
+#include "semantic_slam/small_calibration.hpp"
 
 namespace {
 
@@ -34,16 +35,6 @@ semantic::Images images_at(double stamp, const cv::Mat& depth) {
   return images;
 }
 
-/// No distortion: boxes stay where they are.
-semantic::Calibration plain_calibration() {
-  semantic::Calibration calibration;
-  calibration.camera = {500.0, 500.0, 319.5, 239.5, 640, 480};
-  calibration.matrix =
-      (cv::Mat_<double>(3, 3) << 500.0, 0.0, 319.5, 0.0, 500.0, 239.5, 0.0, 0.0, 1.0);
-  calibration.distortion = cv::Mat::zeros(5, 1, CV_64F);
-  return calibration;
-}
-
 }  // namespace
 
 TEST_CASE("a node table answers for the images of its stamps", "[hooks][regression]") {
@@ -63,7 +54,7 @@ TEST_CASE("a table's depths are forgotten where an image comes without depth",
           "[hooks][regression]") {
   const ScratchFolder folder;
   const semantic::Detect boxes =
-      semantic::undistorted(semantic::table_detector(rows_of(folder)), plain_calibration());
+      semantic::undistorted(semantic::table_detector(rows_of(folder)), small_calibration());
   cv::Mat depth = cv::Mat::zeros(4, 4, CV_16U);
   auto found = boxes(images_at(10.5, depth));
   REQUIRE(found.size() == 2);
