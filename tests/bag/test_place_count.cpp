@@ -40,18 +40,25 @@ TEST_CASE("key frames of one spot are one place", "[bag]") {
   CHECK(places.size() == 2);
 }
 
-TEST_CASE("without poses runs of ids that have stamps are places, those of each session apart",
-          "[bag]") {
-  PlaceCount places;
-  EntryInfo info;
-  info.stamp = 0.0;
-  for (std::uint64_t id = 0; id < 2 * PlaceCount::ids_per_place; ++id) {
-    places.add(KeyframeId{id}, info);
+TEST_CASE("without poses, what a session passed within some seconds is a place",
+          "[bag][regression]") {
+  // However many key frames a second there are, and whatever their numbers.
+  for (const unsigned per_second : {1U, 5U, 30U}) {
+    PlaceCount places;
+    EntryInfo info;
+    const auto add_session = [&] {
+      const double seconds = 2 * PlaceCount::seconds_per_place;
+      for (unsigned i = 0; i < seconds * per_second; ++i) {
+        info.stamp = static_cast<double>(i) / per_second;
+        places.add(KeyframeId{1000 * info.session + 7 * i}, info);
+      }
+    };
+    add_session();
+    CHECK(places.size() == 2);
+    info.session = 1;
+    add_session();
+    CHECK(places.size() == 4);
   }
-  CHECK(places.size() == 2);
-  info.session = 1;
-  places.add(KeyframeId{0}, info);
-  CHECK(places.size() == 3);
 }
 
 TEST_CASE("key frames of which nothing tells what they are near are places each", "[bag]") {

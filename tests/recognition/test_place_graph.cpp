@@ -173,21 +173,54 @@ TEST_CASE("another place that fits as well refuses a match, and is named", "[rec
   CHECK(look_up(here));  // the same place twice is no rival
 }
 
-TEST_CASE("without poses ids far apart are rivals, neighbours and loops of one session are not",
+TEST_CASE("without poses the same layout much later, or in another session, is a rival",
           "[recognition]") {
   const SyntheticRoom room(6, 9, 5);
   const TopologyGraph<> seen = room.seen_from(here);
-  const auto accepted = [&](std::uint64_t second, std::uint32_t session) {
+  // Key frames of other rooms lie between the two that show the same.
+  const auto accepted = [&](std::uint64_t between, std::uint32_t session) {
     Relocalizer<> relocalizer;
-    relocalizer.map().add(KeyframeId{1}, seen);
+    relocalizer.map().add(KeyframeId{0}, seen);
+    for (std::uint64_t i = 1; i <= between; ++i) {
+      relocalizer.map().add(KeyframeId{10 * i},
+                            SyntheticRoom(100 + static_cast<unsigned>(i), 9, 5).seen_from(here));
+    }
     EntryInfo info;
     info.session = session;
-    relocalizer.map().add(KeyframeId{second}, seen, info);
+    relocalizer.map().add(KeyframeId{1000}, seen, info);
     return static_cast<bool>(relocalizer.localize(seen));
   };
-  CHECK(accepted(2, 0));
-  CHECK_FALSE(accepted(1000, 0));
-  CHECK_FALSE(accepted(2, 1));
+  CHECK(accepted(0, 0));
+  CHECK(accepted(5, 0));
+  CHECK_FALSE(accepted(40, 0));
+  CHECK_FALSE(accepted(0, 1));
+}
+
+TEST_CASE("without poses a map that stays at one place is no rival to itself",
+          "[recognition][regression]") {
+  std::mt19937 random(9);
+  const SyntheticRoom room(6, 9, 5);
+  Relocalizer<> relocalizer;
+  for (std::uint64_t i = 0; i < 120; ++i) {
+    const double turn = 0.3 * std::sin(0.1 * static_cast<double>(i));
+    const Eigen::Isometry3d camera(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY()));
+    relocalizer.map().add(KeyframeId{12 * i}, room.seen_from(camera));
+  }
+  for (int i = 0; i < 10; ++i) CHECK(relocalizer.localize(room.seen_from(random_camera(random))));
+}
+
+TEST_CASE("without poses neighbours are those next in the session, whatever their numbers",
+          "[recognition][regression]") {
+  const SyntheticRoom room(5, 12, 12);
+  const TopologyGraph<> seen = room.seen_from(here);
+  std::vector<SemanticNode<>> first = seen.nodes();
+  first.pop_back();
+  for (const std::uint64_t step : {1U, 4U, 1000U}) {
+    BagOfTopologyGraphs<> bag;
+    bag.add(KeyframeId{5}, TopologyGraph<>(first));
+    bag.add(KeyframeId{5 + step}, seen);
+    CHECK(place_graph(bag, KeyframeId{5}, *bag.find(KeyframeId{5}), seen, here).size() == 12);
+  }
 }
 
 TEST_CASE("a false match that one graph lets through is refused by its place",

@@ -82,6 +82,7 @@ void bind_place_options(py::module_& module) {
       .field("distinct_translation", &PlaceOptions::distinct_translation)
       .field("distinct_rotation", &PlaceOptions::distinct_rotation)
       .field("min_id_gap", &PlaceOptions::min_id_gap)
+      .field("max_followed", &PlaceOptions::max_followed)
       .field("max_keyframes", &PlaceOptions::max_keyframes)
       .field("radius", &PlaceOptions::radius)
       .field("turn_weight", &PlaceOptions::turn_weight)

@@ -15,6 +15,7 @@
 #include <topobag/bag/detail/index/entry_places.hpp>
 #include <topobag/bag/detail/index/free_ids.hpp>
 #include <topobag/bag/detail/index/histogram_index.hpp>
+#include <topobag/bag/detail/index/next_key.hpp>
 #include <topobag/bag/detail/storage/descriptor_kinds.hpp>
 #include <topobag/bag/detail/storage/entry_key.hpp>
 #include <topobag/bag/entry_filter.hpp>
@@ -158,6 +159,9 @@ class BagOfTopologyGraphs {
     if (it == entries_.end()) return std::nullopt;
     return it->second->info;
   }
+  /// The id next to this one, which need not be there itself; nothing at the end. O(log n).
+  std::optional<KeyframeId> after(KeyframeId id) const { return detail::key_after(entries_, id); }
+  std::optional<KeyframeId> before(KeyframeId id) const { return detail::key_before(entries_, id); }
 
   /// Calls f(KeyframeId, const EntryInfo&, const Graph&) for every entry that is there when the
   /// call begins, by rising id; f may change the bag. O(n).

@@ -62,6 +62,10 @@ class BasicBagView {
     return parts_.info(*place);
   }
 
+  /// The id next to this one, which need not be there itself; nothing at the end. O(log n).
+  std::optional<KeyframeId> after(KeyframeId id) const { return parts_.next_id(id, true); }
+  std::optional<KeyframeId> before(KeyframeId id) const { return parts_.next_id(id, false); }
+
   /// The entries most similar to `graph`, best first, ties by id: the same ids and scores, to the
   /// last bit, as comparing it with every stored graph. Throws as `ImageComparison::validate`.
   std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {

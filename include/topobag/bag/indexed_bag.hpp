@@ -197,6 +197,8 @@ class BasicIndexedBag {
   bool contains(KeyframeId id) const { return view()->contains(id); }
   std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }
   std::optional<EntryInfo> info(KeyframeId id) const { return view()->info(id); }
+  std::optional<KeyframeId> after(KeyframeId id) const { return view()->after(id); }
+  std::optional<KeyframeId> before(KeyframeId id) const { return view()->before(id); }
   std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {
     return view()->query(graph, options);
   }

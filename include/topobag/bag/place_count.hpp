@@ -18,14 +18,14 @@ inline namespace v0 {
 /// are. A query asks them all, so that its chance of a false match grows with them; more exactly,
 /// with those that hold objects like the matched ones, for no other could have given the match.
 ///
-/// Places are the cells of a grid of `cell` m that hold a camera. Key frames without a pose count by
-/// their ids: those of one session in one run of `ids_per_place` are one place, if stamps say that
-/// they follow each other; of one without either, nothing tells what it is near, and it is a place.
-/// The count depends on what is in the map alone, not on the order in which it came.
+/// Places are the cells of a grid of `cell` m that hold a camera. Key frames without a pose count
+/// by their stamps: those of one session within one run of `seconds_per_place` are one place; of
+/// one without either, nothing tells what it is near, and it is a place. The count depends on what
+/// is in the map alone, not on the order in which it came.
 class PlaceCount {
  public:
-  static constexpr double cell = 3.0;                 ///< m, about as far as a view has objects
-  static constexpr std::uint64_t ids_per_place = 30;  ///< key frames
+  static constexpr double cell = 3.0;                ///< m, about as far as a view has objects
+  static constexpr double seconds_per_place = 12.0;  ///< in which a robot passes some such cells
 
   /// Counts an entry. O(log places + classes²).
   /// @param objects  that its graph holds; a place holds as many of a class as the richest of them
@@ -70,7 +70,9 @@ class PlaceCount {
   const PlaceContents& contents() const noexcept { return contents_; }
 
  private:
-  using Key = std::tuple<bool, std::int64_t, std::int64_t, std::int64_t>;
+  /// What tells a place from others.
+  enum class Kind { alone, passed, seen };  // by its id, by session and stamp, by its cell
+  using Key = std::tuple<Kind, std::int64_t, std::int64_t, std::int64_t>;
   struct Place {
     std::size_t entries = 0;
     std::map<ClassId, std::map<std::size_t, std::size_t>> counts;  ///< entries that hold so many
@@ -82,17 +84,19 @@ class PlaceCount {
   };
 
   static Key key_of(KeyframeId id, const EntryInfo& info) {
+    if (!info.T_world_camera && !info.stamp) {
+      return {Kind::alone, static_cast<std::int64_t>(value(id)), info.session, 0};
+    }
     if (!info.T_world_camera) {
-      const std::uint64_t run = info.stamp ? ids_per_place : 1;
-      return {false, info.session, static_cast<std::int64_t>(value(id) / run), info.stamp ? 1 : 0};
+      return {Kind::passed, cell_of(*info.stamp, seconds_per_place), info.session, 0};
     }
     const auto at = info.T_world_camera->translation();
-    const auto cell_of = [](double metres) {
-      const double limit = 9e18;  // beyond any pose, within 64 bits
-      return static_cast<std::int64_t>(
-          std::floor(std::fmax(-limit, std::fmin(limit, metres / cell))));
-    };
-    return {true, cell_of(at.x()), cell_of(at.y()), cell_of(at.z())};
+    return {Kind::seen, cell_of(at.x(), cell), cell_of(at.y(), cell), cell_of(at.z(), cell)};
+  }
+
+  static std::int64_t cell_of(double at, double side) {
+    const double limit = 9e18;  // beyond any pose or stamp, within 64 bits
+    return static_cast<std::int64_t>(std::floor(std::fmax(-limit, std::fmin(limit, at / side))));
   }
 
   std::map<Key, Place> places_;

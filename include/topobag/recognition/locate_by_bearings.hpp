@@ -108,7 +108,8 @@ CandidateReport bearings_report(const Bag& bag, const Candidate& candidate,
 template <typename Bag, typename Reports, typename Graphs>
 void find_rivals(const Bag& bag, const Graphs& queries, const RecognitionOptions& options,
                  Reports& reports) {
-  const auto hypotheses = place_hypotheses(bag, reports, options.place);
+  KeyframeMotion<Bag> motion(bag, options);
+  const auto hypotheses = place_hypotheses(bag, motion, reports, options.place);
   for (std::size_t i = 0; i < reports.size(); ++i) {
     auto& report = reports[i];
     if (!report.pose) continue;
@@ -116,9 +117,9 @@ void find_rivals(const Bag& bag, const Graphs& queries, const RecognitionOptions
                               report.pose->support()};
     for (const PlaceHypothesis& other : hypotheses) {
       if (other.report == i) continue;  // told by `other_poses`
-      if (same_place(own, report.id, other, reports[other.report].id, options.place)) continue;
-      const std::size_t elsewhere =
-          objects_put_elsewhere(queries[i], *own.pose, *other.pose, seen_from(own, other, reports));
+      if (same_place(bag, motion, own, other, reports, options.place)) continue;
+      const std::size_t elsewhere = objects_put_elsewhere(queries[i], *own.pose, *other.pose,
+                                                          seen_from(motion, own, other, reports));
       const double lead = lead_to_ask(elsewhere, other.support, options.decision);
       if (other.support <= own.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;

@@ -26,7 +26,7 @@ inline namespace v0 {
 ///
 /// One graph shows what one camera detected; the place shows what is there: more for a true pose to
 /// agree with, and more for a false one to miss. The neighbours are found by the world's poses;
-/// without them, by their ids in the candidate's session and by matching them with it. Without any,
+/// without them, those next to the candidate in its session are matched with it. Without any,
 /// the place is the candidate's graph. Entries that `retrieval` does not admit are left out, and
 /// those of a session that stand within `spacing` of one of it that is fused. What it shows depends
 /// on where the query looks, and it is not kept for the next one: fusing takes 2.3 % of a query of

@@ -18,8 +18,10 @@ struct PlaceOptions {
   /// m; two camera poses in the world further apart, or turned by more, are elsewhere.
   double distinct_translation = default_sensor.place_resolution;
   double distinct_rotation = 0.5;  ///< rad
-  std::uint64_t min_id_gap =
-      30;  ///< without poses: ids of one session this far apart are elsewhere
+  std::uint64_t min_id_gap = 30;   ///< without poses, and where no objects tell either: so many
+                                   ///< key frames of one session further is elsewhere
+  std::size_t max_followed = 400;  ///< without poses: steps from key frame to key frame that are
+                                   ///< followed in one query to tell where they stand
 
   std::size_t max_keyframes = 12;  ///< that are fused with the candidate: the nearest to the query
   /// m around the query's camera, where the world's poses are known.
@@ -28,7 +30,7 @@ struct PlaceOptions {
   /// m; of key frames of one session that stand and look nearer to each other than this, as in a
   /// map of every image, one is fused: they show the same, errors and all.
   double spacing = 0.1;
-  std::size_t max_neighbors = 3;   ///< without poses: ids before and after the candidate's
+  std::size_t max_neighbors = 3;   ///< without poses: key frames before and after the candidate
   double max_contradiction = 4.0;  ///< decades by which a place may speak against its key frame:
                                    ///< one in a thousand is put together wrongly, or has changed
   /// m from an object of the query that its place reaches at least.

@@ -145,9 +145,10 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
 ///
 /// What is asked of a score grows with the places of the whole bag that could have given the match,
 /// for all of them were asked (`DecisionOptions`). A pose is rivalled when one that puts the query
-/// elsewhere in the world fits about as well: in another candidate with a pose in the world, or,
-/// without poses, in one of another session or whose id is at least `PlaceOptions::min_id_gap`
-/// away.
+/// elsewhere in the world fits about as well. Where another candidate stands is told by the world's
+/// poses; without them by the map's own objects, as far as these lead from key frame to key frame of
+/// one session; where they do not, one of another session is elsewhere, and so is one that is at
+/// least `PlaceOptions::min_id_gap` key frames of its session away.
 ///
 /// Every candidate is matched. What could tell beforehand that one cannot come into question is too
 /// weak to pay: in rooms, the best bound that the number of pairs could give leaves out 1 to 13 %

@@ -44,6 +44,8 @@ class FleetView {
   bool contains(KeyframeId id) const { return bag_->contains(id); }
   std::optional<Graph> find(KeyframeId id) const { return bag_->find(id); }
   std::optional<EntryInfo> info(KeyframeId id) const { return bag_->info(id); }
+  std::optional<KeyframeId> after(KeyframeId id) const { return bag_->after(id); }
+  std::optional<KeyframeId> before(KeyframeId id) const { return bag_->before(id); }
   /// As `BagView` counts them; frames of sites that share coordinates count as one place.
   std::size_t places() const noexcept { return bag_->places(); }
   /// As `BagView::places_holding`.

@@ -54,6 +54,15 @@ class ReadsFromMemory {
   auto peek(KeyframeId id) const -> decltype(std::declval<const B&>().peek(id)) {
     return bag_.peek(id);
   }
+  /// The id next to this one; nothing at the end.
+  template <typename B = Bag>
+  auto after(KeyframeId id) const -> decltype(std::declval<const B&>().after(id)) {
+    return bag_.after(id);
+  }
+  template <typename B = Bag>
+  auto before(KeyframeId id) const -> decltype(std::declval<const B&>().before(id)) {
+    return bag_.before(id);
+  }
   /// The key frames whose cameras stand in the region, by rising id.
   template <typename B = Bag>
   auto within(const MapRegion& region) const -> decltype(std::declval<const B&>().within(region)) {

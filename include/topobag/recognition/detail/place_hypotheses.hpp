@@ -13,7 +13,9 @@
 #include <topobag/graph/detail/rescaled.hpp>
 #include <topobag/matching/judge_pose.hpp>
 #include <topobag/matching/relative_pose.hpp>
+#include <topobag/recognition/detail/keyframe_motion.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
+#include <topobag/recognition/detail/session_order.hpp>
 #include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/place_graph.hpp>
 #include <topobag/recognition/recognition.hpp>
@@ -31,29 +33,48 @@ struct PlaceHypothesis {
   double support = 0.0;                ///< by the candidate's graph, then by its place as well
 };
 
-/// Whether two hypotheses put the query in one place, looking the same way.
-template <typename Hypothesis>
-bool same_place(const Hypothesis& a, KeyframeId a_id, const Hypothesis& b, KeyframeId b_id,
-                const PlaceOptions& options) {
-  const auto apart = [&](const auto& between) {
-    return between.translation().norm() > options.distinct_translation ||
-           Eigen::AngleAxisd(between.linear()).angle() > options.distinct_rotation;
-  };
-  const auto& T_a = a.pose->T_candidate_query;
-  const auto& T_b = b.pose->T_candidate_query;
-  if (a_id == b_id) return !apart(T_a.inverse() * T_b);
-  if (a.info && b.info && a.info->T_world_camera && b.info->T_world_camera) {
-    return !apart((*a.info->T_world_camera * T_a).inverse() * (*b.info->T_world_camera * T_b));
+/// The pose of one hypothesis in the frame of another one's candidate, where it is known how the
+/// two key frames stand to each other.
+template <typename Bag, typename Reports>
+std::optional<Eigen::Isometry3d> seen_from(KeyframeMotion<Bag>& motion,
+                                           const PlaceHypothesis& frame,
+                                           const PlaceHypothesis& other, const Reports& reports) {
+  const auto T_frame_other = motion.between({reports[frame.report].id, frame.info},
+                                            {reports[other.report].id, other.info});
+  if (!T_frame_other) return std::nullopt;
+  return *T_frame_other * other.pose->T_candidate_query;
+}
+
+/// Whether fewer than `gap` steps lead from one key frame of a session to the other; by their ids
+/// where nothing is known of them.
+template <typename Bag>
+bool are_close_in_session(const Bag& bag, const KnownEntry& a, const KnownEntry& b,
+                          std::uint64_t gap) {
+  const auto [first, last] = std::minmax(a.id, b.id);
+  if (!a.info || !b.info || gap == 0) return value(last) - value(first) < gap;
+  if (a.info->session != b.info->session) return false;
+  const auto next = next_of_session(bag, first, *a.info, true, gap - 1);
+  return std::find(next.begin(), next.end(), last) != next.end();
+}
+
+/// Whether two hypotheses put the query in one place, looking the same way. Where nothing tells how
+/// their key frames stand to each other: whether these are close in their session.
+template <typename Bag, typename Reports>
+bool same_place(const Bag& bag, KeyframeMotion<Bag>& motion, const PlaceHypothesis& a,
+                const PlaceHypothesis& b, const Reports& reports, const PlaceOptions& options) {
+  if (const auto T_a_query = seen_from(motion, a, b, reports)) {
+    const Eigen::Isometry3d between = a.pose->T_candidate_query.inverse() * *T_a_query;
+    return between.translation().norm() <= options.distinct_translation &&
+           Eigen::AngleAxisd(between.linear()).angle() <= options.distinct_rotation;
   }
-  if (a.info && b.info && a.info->session != b.info->session) return false;
-  const std::uint64_t low = std::min(value(a_id), value(b_id));
-  return std::max(value(a_id), value(b_id)) - low < options.min_id_gap;
+  return are_close_in_session(bag, {reports[a.report].id, a.info}, {reports[b.report].id, b.info},
+                              options.min_id_gap);
 }
 
 /// The best poses of all candidates, each in another place, best first.
 template <typename Bag, typename Reports>
-std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, const Reports& reports,
-                                              const PlaceOptions& options) {
+std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, KeyframeMotion<Bag>& motion,
+                                              const Reports& reports, const PlaceOptions& options) {
   std::vector<PlaceHypothesis> all;
   for (std::size_t i = 0; i < reports.size(); ++i) {
     const auto offer = [&](const RelativePose& pose) {
@@ -72,26 +93,13 @@ std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, const Reports& rep
   std::vector<PlaceHypothesis> kept;
   for (PlaceHypothesis& hypothesis : all) {
     if (kept.size() == options.max_rivals) break;
-    const KeyframeId id = reports[hypothesis.report].id;
-    hypothesis.info = stored_info(bag, id, 0);
+    hypothesis.info = stored_info(bag, reports[hypothesis.report].id, 0);
     const bool known = std::any_of(kept.begin(), kept.end(), [&](const PlaceHypothesis& better) {
-      return same_place(better, reports[better.report].id, hypothesis, id, options);
+      return same_place(bag, motion, better, hypothesis, reports, options);
     });
     if (!known) kept.push_back(std::move(hypothesis));
   }
   return kept;
-}
-
-/// The pose of one hypothesis in the frame of another one's candidate, where the two share a frame.
-template <typename Reports>
-std::optional<Eigen::Isometry3d> seen_from(const PlaceHypothesis& frame,
-                                           const PlaceHypothesis& other, const Reports& reports) {
-  const Eigen::Isometry3d& T_other = other.pose->T_candidate_query;
-  if (reports[frame.report].id == reports[other.report].id) return T_other;
-  const bool posed =
-      frame.info && other.info && frame.info->T_world_camera && other.info->T_world_camera;
-  if (!posed) return std::nullopt;
-  return frame.info->T_world_camera->inverse() * *other.info->T_world_camera * T_other;
 }
 
 /// What a place counts for that speaks less for a pose than the best of `repeats` + 1 key frames
@@ -107,7 +115,8 @@ inline double share_among_repeats(std::size_t repeats) noexcept {
 template <typename Bag, typename Reports>
 void judge_places(const Bag& bag, const typename Bag::Graph& query,
                   const RecognitionOptions& options, Reports& reports) {
-  auto hypotheses = place_hypotheses(bag, reports, options.place);
+  KeyframeMotion<Bag> motion(bag, options);
+  auto hypotheses = place_hypotheses(bag, motion, reports, options.place);
   const std::size_t judged = std::min(options.place.max_hypotheses, hypotheses.size());
   for (std::size_t i = 0; i < judged; ++i) {
     PlaceHypothesis& hypothesis = hypotheses[i];
@@ -147,8 +156,8 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
     if (hypothesis.pose != &*report.pose) continue;
     for (const PlaceHypothesis& other : hypotheses) {
       if (other.report == hypothesis.report) continue;  // told by `other_poses`
-      const std::size_t elsewhere = objects_put_elsewhere(query, *hypothesis.pose, *other.pose,
-                                                          seen_from(hypothesis, other, reports));
+      const std::size_t elsewhere = objects_put_elsewhere(
+          query, *hypothesis.pose, *other.pose, seen_from(motion, hypothesis, other, reports));
       const double lead = lead_to_ask(elsewhere, other.support, options.decision);
       if (other.support <= hypothesis.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;

@@ -10,7 +10,9 @@
 #include <Eigen/Geometry>
 
 #include <topobag/bag/query.hpp>
-#include <topobag/matching/match_graphs.hpp>
+#include <topobag/matching/match_options.hpp>
+#include <topobag/recognition/detail/keyframe_motion.hpp>
+#include <topobag/recognition/detail/session_order.hpp>
 #include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/place_options.hpp>
 #include <topobag/types/ids.hpp>
@@ -111,7 +113,7 @@ std::vector<Neighbor<Bag>> neighbors_by_pose(const Bag& bag, KeyframeId id,
   return neighbors;
 }
 
-/// Without poses: those whose ids are next to the candidate's in its session, where they match it.
+/// Without poses: those that come next to the candidate in its session, where they match it.
 template <typename Bag>
 std::vector<Neighbor<Bag>> neighbors_by_id(const Bag& bag, KeyframeId id, const EntryInfo& info,
                                            const typename Bag::Graph& candidate,
@@ -119,19 +121,16 @@ std::vector<Neighbor<Bag>> neighbors_by_id(const Bag& bag, KeyframeId id, const 
                                            const MatchOptions& matching,
                                            const PlaceOptions& options) {
   std::vector<Neighbor<Bag>> neighbors;
-  for (std::size_t step = options.max_neighbors; step > 0; --step) {
-    for (const bool before : {true, false}) {
-      const KeyframeId near{before ? value(id) - step : value(id) + step};
-      const auto there = stored_info(bag, near, 0);
-      if (!there || there->session != info.session || !retrieval.admits(near, *there)) continue;
+  const auto before = next_of_session(bag, id, info, false, options.max_neighbors);
+  const auto after = next_of_session(bag, id, info, true, options.max_neighbors);
+  for (std::size_t step = 0; step < std::max(before.size(), after.size()); ++step) {
+    for (const auto* side : {&before, &after}) {
+      if (step >= side->size()) continue;
+      const KeyframeId near = (*side)[step];
       auto graph = stored_graph(bag, near, 0);
-      if (!graph) continue;
-      // Key frames of one map are in one unit.
-      const KnownDistances<typename Bag::Graph::Scalar> known(*graph, matching.consistency.noise);
-      const GraphMatch match = match_in_one_unit(candidate, known, matching);
-      const bool sure = !match.poses.empty() && !match.poses.front().degenerate &&
-                        match.poses.front().support() >= 3.0;  // odds of a thousand to one
-      if (sure) neighbors.push_back({std::move(graph), match.poses.front().T_candidate_query});
+      if (!graph || !retrieval.admits(near, *stored_info(bag, near, 0))) continue;
+      const auto T_candidate_neighbor = motion_by_objects(candidate, *graph, matching);
+      if (T_candidate_neighbor) neighbors.push_back({std::move(graph), *T_candidate_neighbor});
     }
   }
   return neighbors;

@@ -73,6 +73,32 @@ struct BagParts {
     return std::nullopt;
   }
 
+  /// The least id above this one, or the greatest below it; nothing at the end. O(segments · log n,
+  /// and what is gone in between).
+  std::optional<KeyframeId> next_id(KeyframeId id, bool above) const {
+    std::optional<KeyframeId> next;
+    const auto offer = [&](KeyframeId other) {
+      if (above ? other <= id : other >= id) return;
+      if (!next || (above ? other < *next : other > *next)) next = other;
+    };
+    for (const SealedPart& part : *sealed) {
+      const Segment& segment = *part.segment;
+      std::size_t rank = segment.rank(id);
+      if (above) {
+        if (rank < segment.size() && segment.id(segment.by_id(rank)) == id) ++rank;
+        while (rank < segment.size() && !part.is_live(segment.by_id(rank))) ++rank;
+        if (rank < segment.size()) offer(segment.id(segment.by_id(rank)));
+      } else {
+        while (rank > 0 && !part.is_live(segment.by_id(rank - 1))) --rank;
+        if (rank > 0) offer(segment.id(segment.by_id(rank - 1)));
+      }
+    }
+    for (std::size_t slot = 0; slot < head_size; ++slot) {
+      if (!dead_in_head[slot]) offer((*head)[slot].id);
+    }
+    return next;
+  }
+
   StoredEntry entry(EntryPlace place) const {
     if (place.part == sealed->size()) {
       const HeadBlock::Entry& entry = (*head)[place.slot];

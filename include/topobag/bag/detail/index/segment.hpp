@@ -58,8 +58,8 @@ class Segment {
   const std::uint16_t* least_totals() const noexcept { return least_totals_.data(); }
   const LeafBounds& bounds() const noexcept { return bounds_; }
 
-  /// O(log n).
-  std::optional<std::size_t> slot_of(KeyframeId id) const {
+  /// How many ids are less than this one. O(log n).
+  std::size_t rank(KeyframeId id) const {
     std::size_t low = 0, high = ids_.size();
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
@@ -69,8 +69,15 @@ class Segment {
         high = middle;
       }
     }
-    if (low == ids_.size() || ids_[by_id(low)] != id) return std::nullopt;
-    return by_id(low);
+    return low;
+  }
+  /// The slot whose id has this rank.
+  std::size_t by_id(std::size_t rank) const { return by_id_.empty() ? rank : by_id_[rank]; }
+  /// O(log n).
+  std::optional<std::size_t> slot_of(KeyframeId id) const {
+    const std::size_t at = rank(id);
+    if (at == size() || ids_[by_id(at)] != id) return std::nullopt;
+    return by_id(at);
   }
 
   /// Of the index alone: what a plain list of the entries would not need.
@@ -90,8 +97,6 @@ class Segment {
   class Builder;
 
  private:
-  std::size_t by_id(std::size_t rank) const { return by_id_.empty() ? rank : by_id_[rank]; }
-
   std::vector<KeyframeId> ids_;
   std::vector<std::uint32_t> begins_{0};  ///< of the graphs in `bytes_`, and their end
   std::vector<std::uint8_t> bytes_;
