@@ -193,6 +193,13 @@ TEST_CASE("a good pose is not lost behind a degenerate one that leaves it open",
   CHECK(verdict_on({line, pose_with(2.0, false, T_candidate_query)}) == Verdict::accepted);
 }
 
+TEST_CASE("a place alone is said only where its score is as much as is asked for",
+          "[recognition][regression]") {
+  CHECK(verdict_on({pose_with(1.0, true)}) == Verdict::degenerate);
+  CHECK(verdict_on({pose_with(0.9, true)}) == Verdict::insignificant);
+  CHECK(verdict_on({pose_with(0.9, false)}) == Verdict::insignificant);
+}
+
 TEST_CASE("a degenerate pose elsewhere that fits better makes a match ambiguous", "[recognition]") {
   CHECK(verdict_on({pose_with(3.0, true), pose_with(2.0, false, aside)}) == Verdict::ambiguous);
   // One that fits less does not, unlike one that is not degenerate.

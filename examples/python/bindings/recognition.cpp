@@ -52,8 +52,8 @@ void bind_recognition(py::module_& module) {
   bind_options(module);
   py::enum_<Verdict>(module, "Verdict", doc("Verdict"))
       .value("no_agreement", Verdict::no_agreement, doc("Verdict.no_agreement"))
-      .value("degenerate", Verdict::degenerate, doc("Verdict.degenerate"))
       .value("insignificant", Verdict::insignificant, doc("Verdict.insignificant"))
+      .value("degenerate", Verdict::degenerate, doc("Verdict.degenerate"))
       .value("ambiguous", Verdict::ambiguous, doc("Verdict.ambiguous"))
       .value("rivalled", Verdict::rivalled, doc("Verdict.rivalled"))
       .value("not_best", Verdict::not_best, doc("Verdict.not_best"))

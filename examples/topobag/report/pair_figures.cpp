@@ -117,7 +117,7 @@ std::vector<Figure> matrix_figures(const RecognitionRun& run, const KnownPlaces*
 
 Figure verdict_figure(const RecognitionRun& run) {
   Figure figure{"verdicts", "How far the best candidate of each query came", "", ""};
-  const std::array<const char*, 6> names{"no agreement", "degenerate",    "chance",
+  const std::array<const char*, 6> names{"no agreement", "chance",        "place only",
                                          "ambiguous",    "another place", "accepted"};
   const std::size_t accepted_bar = names.size() - 1;
   std::array<std::size_t, 6> counts{};

@@ -62,11 +62,11 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
   const auto& pose = *report.pose;
   const MatchOptions& matching = options.matching;
   const double deviation = pose.rotation_deviation();
+  stages.push_back({"score", report.margin() >= 0.0, report.score(), report.threshold, true, {}});
   stages.push_back({"spread off a line", pose.spread >= matching.min_spread, pose.spread,
                     matching.min_spread, true, " m"});
   stages.push_back({"deviation of the rotation", deviation <= matching.max_rotation_deviation,
                     deviation, matching.max_rotation_deviation, false, " rad"});
-  stages.push_back({"score", report.margin() >= 0.0, report.score(), report.threshold, true, {}});
   const RelativePose* nearest = nullptr;  // of the other poses: a rival, or the best supported
   bool rival = false;
   for (const auto& other : report.other_poses) {

@@ -9,8 +9,9 @@ inline namespace v0 {
 /// How far a candidate came. Later values passed the earlier stages.
 enum class Verdict {
   no_agreement,  ///< no three objects of the same classes lie alike
-  degenerate,  ///< the matched objects leave the pose open: nearly on a line, or too close together
   insignificant,  ///< such a match would come about by chance too often, or too much is missing
+  degenerate,     ///< the place alone: its own graph says so, and the matched objects leave the
+                  ///< pose open, nearly on a line or too close together
   ambiguous,      ///< another pose in the same candidate fits about as well
   rivalled,       ///< another place of the map fits about as well
   not_best,       ///< good enough, but another candidate, of its place or another, is better
@@ -22,10 +23,10 @@ inline const char* to_string(Verdict verdict) noexcept {
   switch (verdict) {
     case Verdict::no_agreement:
       return "no three objects agree";
-    case Verdict::degenerate:
-      return "the matched objects leave the pose open";
     case Verdict::insignificant:
       return "may well be chance";
+    case Verdict::degenerate:
+      return "the matched objects leave the pose open";
     case Verdict::ambiguous:
       return "another pose fits about as well";
     case Verdict::rivalled:

@@ -69,8 +69,8 @@ template <typename Graph>
 Verdict judge_candidate(const CandidateReport& report, const Graph& query,
                         const DecisionOptions& options) {
   if (!report.pose) return Verdict::no_agreement;
-  if (report.pose->degenerate) return Verdict::degenerate;
   if (!(report.margin() >= 0.0)) return Verdict::insignificant;
+  if (report.pose->degenerate) return Verdict::degenerate;
   const bool ambiguous =
       std::any_of(report.other_poses.begin(), report.other_poses.end(),
                   [&](const auto& other) { return is_rival(other, *report.pose, query, options); });

@@ -842,8 +842,8 @@ class LoopOptions:
 
 class Verdict(enum.Enum):
     no_agreement = 0
-    degenerate = 1
-    insignificant = 2
+    insignificant = 1
+    degenerate = 2
     ambiguous = 3
     rivalled = 4
     not_best = 5

@@ -70,7 +70,7 @@ std::size_t repeated_views(const Bag& bag, KeyframeId id, const EntryInfo& info,
   const MapRegion region{info.T_world_camera->translation(), options.spacing};
   std::size_t count = 0;
   for (const KeyframeId near : keyframes_within(bag, query, retrieval, region, 0)) {
-    const auto there = bag.info(near);
+    const auto there = stored_info(bag, near, 0);
     if (near != id && retrieval.admits(near, *there) && repeats(info, *there, options)) ++count;
   }
   return count;
@@ -90,7 +90,7 @@ std::vector<Neighbor<Bag>> neighbors_by_pose(const Bag& bag, KeyframeId id,
   std::vector<std::pair<double, KeyframeId>> nearest;
   for (const KeyframeId near : keyframes_within(bag, query, retrieval, region, 0)) {
     if (near == id) continue;
-    const auto info = bag.info(near);
+    const auto info = stored_info(bag, near, 0);
     if (!retrieval.admits(near, *info)) continue;
     const Eigen::Isometry3d& T_world_near = *info->T_world_camera;
     if (!region.contains(T_world_near.translation())) continue;
@@ -101,7 +101,7 @@ std::vector<Neighbor<Bag>> neighbors_by_pose(const Bag& bag, KeyframeId id,
   std::vector<Neighbor<Bag>> neighbors;
   for (const auto& [distance, near] : nearest) {
     if (neighbors.size() == options.max_keyframes) break;
-    auto info = *bag.info(near);
+    auto info = *stored_info(bag, near, 0);
     const bool known = std::any_of(fused.begin(), fused.end(), [&](const EntryInfo& other) {
       return repeats(other, info, options);
     });
