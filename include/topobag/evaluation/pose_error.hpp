@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/assert.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {

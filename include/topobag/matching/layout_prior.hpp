@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <topobag/error.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
