@@ -28,8 +28,7 @@ template <typename Motion, typename Bag>
 void add_votes(std::vector<AlignmentVote<Motion>>& votes, const Bag& a,
                const Recognition& recognition, KeyframeId id, const Eigen::Isometry3d& T_b_camera) {
   for (const CandidateReport& report : recognition.candidates) {
-    const bool one = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled ||
-                     report.verdict == Verdict::not_best;
+    const bool one = is_verified(report.verdict) || report.verdict == Verdict::rivalled;
     if (!one && report.verdict != Verdict::ambiguous) continue;
     const auto info = stored_info(a, report.id, 0);
     if (!info || !info->T_world_camera) continue;

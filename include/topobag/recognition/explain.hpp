@@ -97,8 +97,7 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
   }
   if (report.verdict == Verdict::not_best && !report.place_support) {
     stages.push_back({"first of its place, which is judged for all", false, 0.0, 1.0, true, {}});
-  } else if (best_margin &&
-             (report.verdict == Verdict::accepted || report.verdict == Verdict::not_best)) {
+  } else if (best_margin && is_verified(report.verdict)) {
     stages.push_back({"lead over the threshold, beside the best one's",
                       report.verdict == Verdict::accepted,
                       report.margin(),
@@ -152,7 +151,7 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
                                    missing.of_candidate ? position : pose.in_candidate(position),
                                    missing.views, missing.measured_views, missing.cost});
   }
-  if (report.verdict == Verdict::accepted || report.verdict == Verdict::not_best) {
+  if (is_verified(report.verdict)) {
     ChangeOptions changes;
     changes.classes = options.matching.consistency.classes;
     for (const ObjectChange& change : what_changed(candidate, query, pose, changes)) {

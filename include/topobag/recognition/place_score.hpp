@@ -27,8 +27,7 @@ struct PlaceScale {
 /// similarity.
 template <typename Report = CandidateReport>
 double place_score(const Report& report, const PlaceScale& scale = {}) {
-  const bool verified = report.verdict == Verdict::accepted || report.verdict == Verdict::not_best;
-  if (!verified) return 0.25 * report.similarity;
+  if (!is_verified(report.verdict)) return 0.25 * report.similarity;
   const auto& T = report.pose->T_candidate_query;
   const double t = T.translation().norm() / scale.translation;
   const double turn = Eigen::AngleAxisd(T.linear()).angle() / scale.rotation;
