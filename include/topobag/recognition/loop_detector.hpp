@@ -86,7 +86,8 @@ class LoopDetector {
   std::optional<PoseWithCovariance<>> T_world_query(const Recognition& recognition) const {
     return relocalizer_.T_world_query(recognition);
   }
-  /// The same from the matched entry's pose and its covariance, as the back end knows them.
+  /// The same from the matched entry's pose and its covariance, as the back end knows them: as
+  /// `Relocalizer`.
   std::optional<PoseWithCovariance<>> T_world_query(
       const Recognition& recognition, const PoseWithCovariance<>& T_world_candidate) const {
     return relocalizer_.T_world_query(recognition, T_world_candidate);

@@ -14,6 +14,7 @@
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
 #include <topobag/types/pose_with_covariance.hpp>
+#include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -80,10 +81,12 @@ class Relocalizer {
     return T_world_query(recognition, PoseWithCovariance<>{*info->T_world_camera});
   }
 
-  /// The same from the matched entry's pose and its covariance, as the back end knows them.
+  /// The same from the matched entry's pose and its covariance, as the back end knows them. Throws
+  /// InvalidValue for a pose that is no rigid motion.
   std::optional<PoseWithCovariance<>> T_world_query(
       const Recognition& recognition, const PoseWithCovariance<>& T_world_candidate) const {
     if (!recognition) return std::nullopt;
+    require_rigid(T_world_candidate.T, "the candidate's pose");
     return T_world_candidate * recognition.accepted->pose->with_covariance();
   }
 
