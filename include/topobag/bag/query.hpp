@@ -16,6 +16,9 @@
 namespace topobag {
 inline namespace v0 {
 
+/// s; key frames of one session that are nearer in time are usually of one visit, and make no loop.
+inline constexpr double usual_loop_gap = 20.0;
+
 /// Key frames too near to the query to count as another visit.
 struct ExcludedNeighbors {
   std::optional<KeyframeId>

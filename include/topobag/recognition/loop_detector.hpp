@@ -17,7 +17,7 @@ inline namespace v0 {
 
 /// What counts as an earlier visit, and how it is recognised.
 struct LoopOptions {
-  double min_gap = 20.0;             ///< s; nearer key frames of the session are the present visit
+  double min_gap = usual_loop_gap;   ///< s; nearer key frames of the session are the present visit
   RecognitionOptions recognition{};  ///< retrieval, matching and decision
 };
 

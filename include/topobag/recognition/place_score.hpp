@@ -7,14 +7,15 @@
 #include <Eigen/Geometry>
 
 #include <topobag/recognition/recognition.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
 /// How far apart two cameras may be and still be said to be at one place.
 struct PlaceScale {
-  double translation = 0.5;  ///< m
-  double rotation = 0.5236;  ///< rad, 30°
+  double translation = default_sensor.pose_resolution;  ///< m
+  double rotation = 0.5236;                             ///< rad, 30°
 };
 
 /// How sure it is that a candidate was taken from about where the query was, in [0, 1]: what to
