@@ -136,7 +136,7 @@ void align_by_votes(const View& a, const std::vector<Eigen::Isometry3d>& cameras
 ///     if (const MapAlignment alignment = align_maps(a, b)) {
 ///       a.merge(b, alignment.merge_options(next_session));
 ///     }
-/// @param a  a bag to look up in
+/// @param a  a bag to query
 /// @param b  a bag with `for_each`
 template <typename A, typename B>
 MapAlignment align_maps(const A& a, const B& b, const AlignOptions& options = {}) {

@@ -28,7 +28,7 @@ struct ExplainedStage {
   bool passed = false;   ///< whether the candidate did
   double value = 0.0;    ///< what the candidate has
   double asked = 0.0;    ///< what it should have
-  bool at_least = true;  ///< or at most
+  bool at_least = true;  ///< whether it should have so much at least, or at most
   std::string unit{};    ///< of both
 
   /// By how much the threshold was missed, in `unit`; not positive when it was reached.

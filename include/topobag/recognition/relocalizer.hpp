@@ -37,7 +37,7 @@ class Relocalizer {
   using Bag = std::remove_reference_t<Bag_>;
   using Graph = typename Bag::Graph;
   static_assert(is_searchable_bag_v<detail::PresentView<Bag>>,
-                "topobag: a bag to look up in has Graph = TopologyGraph<Scalar>, query(graph, "
+                "topobag: a bag to query has Graph = TopologyGraph<Scalar>, query(graph, "
                 "QueryOptions) const -> std::vector<Candidate> and find(KeyframeId) const -> "
                 "std::optional<Graph>, or a view() that has.");
 
