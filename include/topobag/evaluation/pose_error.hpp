@@ -47,9 +47,9 @@ PoseError pose_error(const TruePose& T_true, const EstimatedPose& T_estimate) {
 /// The limits between the three verdicts; each wrong limit is not below its correct limit.
 struct PoseLimits {
   double correct_translation_m = 0.3;  ///< m; the most of a correct pose
-  double correct_rotation_deg = 15.0;  ///< the same of its rotation, degrees
+  double correct_rotation_deg = 15.0;  ///< degrees; the most of a correct pose
   double wrong_translation_m = 1.0;    ///< m; a pose further off is wrong
-  double wrong_rotation_deg = 45.0;    ///< so is one turned by more, degrees
+  double wrong_rotation_deg = 45.0;    ///< degrees; a pose turned by more is wrong
 };
 
 /// What an accepted match is worth as a loop constraint.

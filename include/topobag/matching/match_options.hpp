@@ -35,7 +35,7 @@ struct MatchOptions {
       0.31;  ///< rad; a pose less certain about its worst axis is degenerate
   /// m; two poses further apart than this are different.
   double distinct_translation = default_sensor.pose_resolution;
-  double distinct_rotation = rotation_resolution;  ///< rad; so are two that are turned by more
+  double distinct_rotation = rotation_resolution;  ///< rad; poses turned by more are different
   /// Of the query's unit, where that is not known; by default both graphs are in metres.
   std::optional<ScaleRange> scale{};
 };

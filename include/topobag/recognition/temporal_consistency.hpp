@@ -21,7 +21,7 @@ struct TemporalOptions {
   std::size_t max_missed = 1;   ///< key frames without a match in between
   /// m by which the camera's motion between two matches that agree may differ from the front end's.
   double max_translation = default_sensor.pose_resolution;
-  double max_rotation = 0.5235988;  ///< rad by which its turn between them may differ; 30°
+  double max_rotation = 0.5235988;  ///< rad by which the camera's turn may differ so; 30°
 };
 
 /// Believes a match when the key frames before it were matched alike: an accident does not repeat
