@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # What it costs to include each public header, as a Markdown table: preprocessed lines (without blank
 # ones) and the user seconds of one g++, the least of three runs (of one where it takes longer than
-# 5 s), beside Eigen/Dense alone.
+# 5 s), beside Eigen/Dense alone. And what it costs to compile a file that localizes, header-only and
+# with topobag::compiled: seconds likewise, and the compiler's memory.
 #   bash tests/compile_cost.sh [HEADER...]      e.g. topobag/core.hpp; all of them by default
+#   bash tests/compile_cost.sh localizing       the file that localizes, alone
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 flags=(-std=c++17 -O0 -Iinclude)
@@ -11,7 +13,8 @@ for package in eigen3 opencv4; do
   flags+=("${more[@]/#-I/-isystem}")
 done
 source=$(mktemp --suffix=.cpp)
-trap 'rm -f "$source"' EXIT
+cost=$(mktemp)
+trap 'rm -f "$source" "$cost"' EXIT
 TIMEFORMAT=%U
 
 is_less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
@@ -38,7 +41,41 @@ row() {
   fi
 }
 
+# localizing_row NAME FLAG...: of the file that localizes, compiled with these flags.
+localizing_row() {
+  local name=$1 seconds= mb= run time kb
+  shift
+  for run in 1 2 3; do
+    env time -f '%U %M' -o "$cost" g++ "${flags[@]}" "$@" -c "$source" -o /dev/null
+    read -r time kb <"$cost"
+    if [ -z "$seconds" ] || is_less "$time" "$seconds"; then seconds=$time mb=$((kb / 1024)); fi
+    if is_less 5 "$seconds"; then break; fi
+  done
+  echo "| $name, ${*: -1} | $seconds | $mb |"
+}
+
+localizing() {
+  type -P time >/dev/null || {
+    echo "the compiler's memory takes GNU time (Debian: time)" >&2
+    exit 1
+  }
+  cat >"$source" <<'END'
+#include <topobag/recognition/relocalizer.hpp>
+std::size_t matched(const topobag::Relocalizer<>& relocalizer, const topobag::TopologyGraph<>& query) {
+  return relocalizer.localize(query).candidates.size();
+}
+END
+  echo "| a file that localizes | seconds | MB |"
+  echo "|---|---|---|"
+  for level in -O0 -O2; do localizing_row header-only "$level"; done
+  for level in -O0 -O2; do localizing_row "with \`topobag::compiled\`" -DTOPOBAG_COMPILED "$level"; done
+}
+
 headers=("$@")
+if [ "${1:-}" = localizing ]; then
+  localizing
+  exit
+fi
 if [ $# -eq 0 ]; then
   mapfile -t headers < <(cd include && find topobag -name '*.hpp' -not -path '*/detail/*' | LC_ALL=C sort)
 fi
@@ -49,3 +86,7 @@ echo "| header | lines | × Eigen/Dense | seconds | × Eigen/Dense |"
 echo "|---|---|---|---|---|"
 printf "| Eigen/Dense | %d | 1.00 | %.2f | 1.00 |\n" "$base_lines" "$base_seconds"
 for header in "${headers[@]}"; do row "$header"; done
+if [ $# -eq 0 ]; then
+  echo
+  localizing
+fi

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# How the headers include each other: downwards, in no circle, and all of them from their umbrella.
+# How the headers include each other: downwards, in no circle, and all of them from their umbrella; and
+# with what tells the linker how Eigen aligns.
 #   bash tests/includes.sh     says every violation and fails
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../include/topobag"
@@ -99,6 +100,25 @@ for header in "${headers[@]}"; do
   esac
   grep -qxF "$header" <<<"$found" || echo "$header: no umbrella brings it in"
 done >>"$violations"
+
+# What is laid out as Eigen aligns it reaches the mark by which the linker refuses two alignments.
+mark=types/detail/one_alignment.hpp
+includes "${headers[@]}" | awk -v mark="$mark" '
+  $2 ~ /^Eigen\// { aligned[$1] }
+  sub(/^topobag\//, "", $2) { from[$2] = from[$2] " " $1 }
+  END {
+    reaching[mark]
+    queue[n = 1] = mark
+    while (n > 0) {
+      m = split(from[queue[n--]], next_files, " ")
+      for (i = 1; i <= m; ++i)
+        if (!(next_files[i] in reaching)) {
+          reaching[next_files[i]]
+          queue[++n] = next_files[i]
+        }
+    }
+    for (file in aligned) if (!(file in reaching)) print file ": includes Eigen and does not reach " mark
+  }' | LC_ALL=C sort >>"$violations"
 
 # These are what needs Eigen alone.
 for header in $(reached core.hpp evaluation.hpp); do

@@ -31,7 +31,7 @@ namespace {
 struct CompareArguments {
   std::string nodes;
   MapAndQuery tables;
-  double min_gap = 20.0;  ///< s
+  double min_gap = topobag::usual_loop_gap;  ///< s
   KeyframeOptions keyframes;
   ImageSize image_size;
   std::string protocol = default_protocol;

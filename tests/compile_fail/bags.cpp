@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// MISFIT 1: topobag: a bag to look up in has Graph = TopologyGraph<Scalar>, query(graph,
-// MISFIT 2: topobag: a bag to look up in has Graph = TopologyGraph<Scalar>, query(graph,
+// MISFIT 1: topobag: a bag to query has Graph = TopologyGraph<Scalar>, query(graph,
+// MISFIT 2: topobag: a bag to query has Graph = TopologyGraph<Scalar>, query(graph,
 // MISFIT 3: topobag: a bag that grows has Graph = TopologyGraph<Scalar> and add(KeyframeId,
 #include <string>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // MISFIT 1: topobag: a bag to save has Graph = TopologyGraph<Scalar>, size() const and
 // MISFIT 2: topobag: a bag that grows has Graph = TopologyGraph<Scalar> and add(KeyframeId,
+// MISFIT 3: topobag: a bag to merge has for_each, of KeyframeId, EntryInfo and Graph.
 #include <sstream>
 
 #include <topobag/bag/snapshot.hpp>
@@ -11,7 +12,7 @@ struct Bag {
   using Graph = TopologyGraph<>;
   bool empty() const { return true; }
   std::uint64_t size() const { return 0; }
-#if MISFIT == 1
+#if MISFIT == 1 || MISFIT == 3
   void for_each(void (*)(const Graph&)) const {}
 #else
   template <typename Visit>
@@ -24,8 +25,12 @@ struct Bag {
 
 int main() {
   std::stringstream file;
-#if MISFIT != 2
+#if MISFIT != 2 && MISFIT != 3
   save(Bag(), file);
+#endif
+  BagOfTopologyGraphs<> other;
+#if MISFIT != 1 && MISFIT != 2
+  other.merge(Bag());
 #endif
   const Bag loaded = load<Bag>(file);
 }

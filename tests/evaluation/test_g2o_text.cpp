@@ -132,6 +132,18 @@ TEST_CASE("for a reader that takes rotations in rad, the information is that of 
   CHECK((gtsam * pose.as<GtsamPose>().covariance).isIdentity(1e-6));
 }
 
+TEST_CASE("a pose that is no rigid motion is neither vertex nor edge", "[evaluation]") {
+  std::mt19937 random(4);
+  PoseWithCovariance<> pose = some_pose(random);
+  pose.T.linear() *= 3.0;
+  std::ostringstream text;
+  CHECK(error_text([&] { write_g2o_vertex(text, KeyframeId{1}, pose.T); }) ==
+        "the vertex's pose is no rigid motion: it scales by 3.000000; divide the rotation by that");
+  CHECK(error_text([&] { write_g2o_edge(text, KeyframeId{1}, KeyframeId{2}, pose); }) ==
+        "the edge's pose is no rigid motion: it scales by 3.000000; divide the rotation by that");
+  CHECK(text.str().empty());
+}
+
 TEST_CASE("an exact pose is no factor", "[evaluation]") {
   std::ostringstream text;
   const PoseWithCovariance<> exact;

@@ -7,6 +7,7 @@
 #include <topobag/recognition/relocalizer.hpp>
 
 #include "catch.hpp"
+#include "error_text.hpp"
 #include "random_graphs.hpp"
 #include "synthetic_room.hpp"
 
@@ -148,6 +149,10 @@ TEST_CASE("the pose in the world is as uncertain as the match and the entry", "[
   CHECK(uncertain->T.matrix() == exact->T.matrix());
   CHECK(uncertain->covariance.isApprox(moved + entry.covariance, 1e-9));
   CHECK_FALSE(relocalizer.T_world_query({}, entry));
+  PoseWithCovariance<> scaled = entry;
+  scaled.T.linear() *= 3.0;
+  CHECK(error_text([&] { relocalizer.T_world_query(found, scaled); }) ==
+        "the candidate's pose is no rigid motion: it scales by 3.000000; divide the rotation by that");
 }
 
 TEST_CASE("an empty map and an empty query are answered with nothing", "[recognition]") {

@@ -43,12 +43,20 @@ struct is_growing_bag<Bag,
                           KeyframeId{}, std::declval<GraphOf<Bag>>(), std::declval<EntryInfo>()))>>
     : std::true_type {};
 
+/// Whether `Bag` shows its entries as key frames with such a graph.
+template <typename Bag, typename Graph, typename = void>
+inline constexpr bool shows_entries_v = false;
+template <typename Bag, typename Graph>
+inline constexpr bool
+    shows_entries_v<Bag, Graph,
+                    std::void_t<decltype(std::declval<const Bag&>().for_each(
+                        std::declval<void (*)(KeyframeId, const EntryInfo&, const Graph&)>()))>> =
+        true;
+
 template <typename Bag, typename = void>
 struct is_stored_bag : std::false_type {};
 template <typename Bag>
-struct is_stored_bag<
-    Bag, std::void_t<decltype(std::declval<const Bag&>().for_each(
-             std::declval<void (*)(KeyframeId, const EntryInfo&, const GraphOf<Bag>&)>()))>>
+struct is_stored_bag<Bag, std::enable_if_t<shows_entries_v<Bag, GraphOf<Bag>>>>
     : std::is_convertible<decltype(std::declval<const Bag&>().size()), std::uint64_t> {};
 
 template <typename Bag, typename = void>

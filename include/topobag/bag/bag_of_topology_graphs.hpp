@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/camera_poses.hpp>
 #include <topobag/bag/detail/index/compare_all.hpp>
 #include <topobag/bag/detail/index/entry_places.hpp>
@@ -92,6 +93,8 @@ class BagOfTopologyGraphs {
   /// @param other  with `for_each` as this one's
   template <typename Other>
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
+    static_assert(detail::shows_entries_v<Other, Graph>,
+                  "topobag: a bag to merge has for_each, of KeyframeId, EntryInfo and Graph.");
     options.validate();
     detail::DescriptorKinds kinds = kinds_;
     using Descriptor = decltype(descriptor_of(std::declval<const Graph&>()));

@@ -66,15 +66,15 @@ class BasicBagView {
   std::optional<KeyframeId> after(KeyframeId id) const { return parts_.next_id(id, true); }
   std::optional<KeyframeId> before(KeyframeId id) const { return parts_.next_id(id, false); }
 
-  /// The entries most similar to `graph`, best first, ties by id: the same ids and scores, to the
-  /// last bit, as comparing it with every stored graph. Throws as `ImageComparison::validate`.
+  /// The entries most similar to `graph`, best first, ties by id: the same ids and similarities, to
+  /// the last bit, as comparing it with every stored graph. Throws as `ImageComparison::validate`.
   std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {
     return search(graph, options).candidates;
   }
 
   /// The same, and how much of the bag it took.
   /// @param max_visited  graphs that are read at most; when they do not suffice, the best of those
-  ///                     read are returned, with a bound on the scores of the others. Which are
+  ///                     read are returned, with a bound on the similarities of the others. Which are
   ///                     read depends on the bag and the query alone.
   SearchResult search(const Graph& graph, const QueryOptions& options = {},
                       std::size_t max_visited = std::numeric_limits<std::size_t>::max()) const {

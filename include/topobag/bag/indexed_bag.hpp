@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/camera_poses.hpp>
 #include <topobag/bag/detail/index/encoded_entry.hpp>
@@ -29,9 +30,9 @@ inline namespace v0 {
 /// A bag of topology graphs for a million key frames: graphs in some 100 bytes each, exact answers
 /// without reading most of them, and readers that never wait.
 ///
-/// Graphs are kept as `encode` rounds them. A query gives the same ids and scores, to the last bit,
-/// as `BagOfTopologyGraphs` over the graphs that `find` returns. It is fast when neighbours in the
-/// order of adding are alike, as key frames of a drive are.
+/// Graphs are kept as `encode` rounds them. A query gives the same ids and similarities, to the
+/// last bit, as `BagOfTopologyGraphs` over the graphs that `find` returns. It is fast when
+/// neighbours in the order of adding are alike, as key frames of a drive are.
 ///
 /// One thread at a time may call what is not const; any number may take a `view()` meanwhile, and
 /// read it as long as they like. The const calls below ask such a view. After a call has thrown,
@@ -155,13 +156,14 @@ class BasicIndexedBag {
     return new_ids;
   }
 
-  /// The same for a bag of any kind.
-  /// @param other  with `for_each` as this one's
+  /// The same for any other bag with `for_each` as this one's.
   template <typename Other>
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
     if constexpr (std::is_same_v<detail::PresentView<Other>, View>) {
       return merge(*detail::present_view(other, 0), options);
     } else {
+      static_assert(detail::shows_entries_v<Other, Graph>,
+                    "topobag: a bag to merge has for_each, of KeyframeId, EntryInfo and Graph.");
       BasicIndexedBag copy(*similarity_, views_);
       other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
         copy.add(id, graph, info);

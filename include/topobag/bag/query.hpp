@@ -16,16 +16,20 @@
 namespace topobag {
 inline namespace v0 {
 
+/// s; key frames of one session that are nearer in time are usually of one visit, and make no loop.
+inline constexpr double usual_loop_gap = 20.0;
+
 /// Key frames too near to the query to count as another visit.
 struct ExcludedNeighbors {
-  std::optional<KeyframeId>
-      id;  ///< the query's; with it, ids less than `min_id_gap` away are left out
+  /// The query's; with it, ids less than `min_id_gap` away are left out.
+  std::optional<KeyframeId> id;
   std::uint64_t min_id_gap = 1;  ///< ids nearer to `id` than this are left out
-  std::optional<double>
-      stamp;  ///< the query's, s; with it, entries are left out that have no stamp or
-  double min_time_gap = 0.0;  ///< are less than this apart from it, s
-  std::optional<std::uint32_t>
-      session;  ///< the query's; with it, entries of other sessions are never near in time
+  /// The query's, s; with it, entries without a stamp are left out, and those whose stamp is less
+  /// than `min_time_gap` away.
+  std::optional<double> stamp;
+  double min_time_gap = 0.0;  ///< s; entries nearer to `stamp` than this are left out
+  /// The query's; with it, entries of other sessions are never near in time.
+  std::optional<std::uint32_t> session;
 
   /// Whether the entry is too near to the query.
   bool contains(KeyframeId entry, const EntryInfo& info) const {
@@ -44,7 +48,7 @@ struct QueryOptions {
   double min_similarity = 0.0;   ///< similarity below which an entry is no candidate
   ExcludedNeighbors exclude{};   ///< key frames of the present visit
   EntryFilter among{};           ///< by id, time, session, label and place
-  ImageComparison image{};       ///< how like the whole images are, as a gate or in the score
+  ImageComparison image{};       ///< how like the whole images are, as a gate or in the similarity
   std::function<bool(KeyframeId, const EntryInfo&)>
       filter{};  ///< when set, only entries it returns true for
 

@@ -30,7 +30,10 @@ inline namespace v0 {
 /// What is saved beside the entries themselves.
 struct SaveOptions {
   std::uint64_t catalog_fingerprint = 0;  ///< of the classes in use; 0 = not stated
-  ViewSection views = ViewSection::kept;  ///< whether views are written
+  /// Whether views are written, with the depth that they measured. They say what a camera would have
+  /// seen: without them, nothing that is missing speaks against a match of the loaded map, so that it
+  /// may accept what the saved one refused.
+  ViewSection views = ViewSection::kept;
   /// The classes in use, which the file then keeps (format 2); nothing: their fingerprint alone.
   std::optional<DescribedCatalog> catalog{};
 };

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {

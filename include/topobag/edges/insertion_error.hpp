@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <topobag/error.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {

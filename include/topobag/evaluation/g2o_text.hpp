@@ -13,6 +13,7 @@
 #include <topobag/types/detail/cholesky.hpp>
 #include <topobag/types/ids.hpp>
 #include <topobag/types/pose_with_covariance.hpp>
+#include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -23,22 +24,25 @@ enum class G2oRotation {
   rotation_vector,  ///< rad: GTSAM's `readG2o`
 };
 
-/// Writes `VERTEX_SE3:QUAT id tx ty tz qx qy qz qw`, whatever the locale.
+/// Writes `VERTEX_SE3:QUAT id tx ty tz qx qy qz qw`, whatever the locale. Throws InvalidValue for a
+/// pose that is no rigid motion.
 inline void write_g2o_vertex(std::ostream& stream, KeyframeId id,
                              const Eigen::Isometry3d& T_world_camera) {
+  require_rigid(T_world_camera, "the vertex's pose");
   stream << "VERTEX_SE3:QUAT " << std::to_string(value(id)) << ' ';
   detail::write_pose(stream, T_world_camera);
   stream << '\n';
 }
 
 /// The information that g2o's `EdgeSE3` weighs its error by: translation, then rotation, right of
-/// the pose. Throws InvalidValue for a covariance that leaves some error out: such a factor would
-/// be a constraint.
+/// the pose. Throws InvalidValue for a pose that is no rigid motion, and for a covariance that leaves
+/// some error out: such a factor would be a constraint.
 /// @param T_from_to  a `PoseWithCovariance`
 template <typename Pose>
 Eigen::Matrix<double, 6, 6> g2o_information(const Pose& T_from_to,
                                             G2oRotation rotation = G2oRotation::half_angles) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  require_rigid(T_from_to.T, "the edge's pose");
   const Matrix6 covariance = T_from_to.template as<G2oPose>().covariance;
   Matrix6 information = detail::inverse_covariance(covariance);
   if (!information.allFinite()) {

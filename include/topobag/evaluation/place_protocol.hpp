@@ -23,14 +23,16 @@ enum class PairRelation {
 /// The declared definition of a true loop. Give either a distance or a covisibility.
 struct PlaceProtocol {
   std::optional<double> distance_m;  ///< d₊: positive up to this distance of the cameras, m
-  std::optional<double> angle_deg;   ///< θ₊: and up to this rotation between them, degrees
-  std::optional<double> negative_distance_m;  ///< d₋: negative from this distance on, m, or
-  std::optional<double> negative_angle_deg;   ///< θ₋: from this rotation on; goes with
-                                              ///< `angle_deg`. Neither: all others
+  std::optional<double> angle_deg;  ///< θ₊, degrees; positives are turned by no more than it, too
+  /// d₋: negative from this distance on, m. With neither this nor `negative_angle_deg`, all that
+  /// are not positive.
+  std::optional<double> negative_distance_m;
+  std::optional<double> negative_angle_deg;  ///< θ₋: negative from this rotation on, degrees;
+                                             ///< goes with `angle_deg`
 
   std::optional<double> covisibility;  ///< c₊: positive from this overlap on, (0, 1]
-  std::optional<double>
-      negative_covisibility;            ///< c₋: negative up to this overlap; else all others
+  /// c₋: negative up to this overlap; without it, all others are.
+  std::optional<double> negative_covisibility;
   std::optional<DepthFrustum> frustum;  ///< what the cameras see; goes with `covisibility`
 
   double exclude_seconds = 0.0;    ///< pairs closer in time than this are not evaluated, s

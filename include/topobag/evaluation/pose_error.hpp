@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/assert.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {
@@ -45,10 +46,10 @@ PoseError pose_error(const TruePose& T_true, const EstimatedPose& T_estimate) {
 
 /// The limits between the three verdicts; each wrong limit is not below its correct limit.
 struct PoseLimits {
-  double correct_translation_m = 0.3;  ///< at most this, m, and
-  double correct_rotation_deg = 15.0;  ///< at most this, degrees: correct
-  double wrong_translation_m = 1.0;    ///< more than this, m, or
-  double wrong_rotation_deg = 45.0;    ///< more than this, degrees: wrong
+  double correct_translation_m = 0.3;  ///< m; the most of a correct pose
+  double correct_rotation_deg = 15.0;  ///< degrees; the most of a correct pose
+  double wrong_translation_m = 1.0;    ///< m; a pose further off is wrong
+  double wrong_rotation_deg = 45.0;    ///< degrees; a pose turned by more is wrong
 };
 
 /// What an accepted match is worth as a loop constraint.

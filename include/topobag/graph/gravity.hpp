@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <topobag/error.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 
 namespace topobag {
 inline namespace v0 {

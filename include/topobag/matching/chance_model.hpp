@@ -50,19 +50,18 @@ inline namespace v0 {
 ///
 /// The widths and the heights of the paired objects speak as well (`SizePrior`); on real detections
 /// the two sides err apart (their errors correlate by 0.1 to 0.2). So do their looks, where both
-/// are known (`AppearanceModel`). That things stand alike because they always do can be told as
-/// well
-/// (`LayoutPrior`).
+/// are known (`AppearanceModel`). Where things stand alike because they always do, a `LayoutPrior`
+/// says so.
 struct ChanceModel {
   double fill = 1.5;  ///< area that chance fills, in rectangles of the matched objects' scatter
   double min_extent = 0.10;     ///< m, of each of its sides
   double height_spread = 0.15;  ///< m; σ of the heights at which objects of one class stand
   SizePrior sizes;              ///< how sizes of one class differ
   double relabeling = 0.45;     ///< −log10 P of the label of a pair of two classes of one group
-  std::optional<ClassConfusion> confusion{};  ///< with it, that is P of the query's label given the
-                                              ///< candidate's
-  ClassAffinity
-      affinity{};  ///< with it, that is −log10 of it, whatever the groups and the confusion
+  /// With it, P of such a pair is that of the query's label given the candidate's.
+  std::optional<ClassConfusion> confusion{};
+  /// With it, P of such a pair is the affinity, whatever groups and confusion say.
+  ClassAffinity affinity{};
   AppearanceModel appearance{};          ///< what the looks of a pair say
   std::optional<LayoutPrior> layouts{};  ///< with it, chance strews the matched objects as they
                                          ///< usually stand
@@ -177,8 +176,7 @@ struct ChanceModel {
       if (c.matched > std::min(c.candidate, c.query)) {
         throw InvalidValue(
             "the pairs cannot be chosen: they have to be one-to-one, of nodes with positions and "
-            "of "
-            "one class or one group of classes");
+            "of one class or one group of classes");
       }
       log_ways += log_choose(c.candidate, c.matched) + log_choose(c.query, c.matched) +
                   log_factorial(c.matched) +

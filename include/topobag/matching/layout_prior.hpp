@@ -13,6 +13,8 @@
 #include <Eigen/Core>
 
 #include <topobag/error.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -20,9 +22,9 @@ inline namespace v0 {
 
 /// Bins of distance, each as wide for its distance as the others.
 struct DistanceBins {
-  static constexpr std::size_t count = 14;  ///< of them
-  static constexpr double least = 0.08;     ///< m; what is nearer falls into the first bin
-  static constexpr double most = 5.0;       ///< m; objects further apart tell nothing of each other
+  static constexpr std::size_t count = 14;      ///< of them
+  static constexpr double least = 0.08;         ///< m; what is nearer falls into the first bin
+  static constexpr double most = layout_range;  ///< m; objects further apart are not counted
 
   /// The lower border of a bin, m; of `count`, the last one's upper border.
   static double border(std::size_t bin) {

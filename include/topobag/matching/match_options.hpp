@@ -33,8 +33,9 @@ struct MatchOptions {
   double min_spread = default_sensor.min_spread;
   double max_rotation_deviation =
       0.31;  ///< rad; a pose less certain about its worst axis is degenerate
-  double distinct_translation = default_sensor.pose_resolution;  ///< m; two poses further apart,
-  double distinct_rotation = 0.5;  ///< rad; or turned by more, are different
+  /// m; two poses further apart than this are different.
+  double distinct_translation = default_sensor.pose_resolution;
+  double distinct_rotation = rotation_resolution;  ///< rad; poses turned by more are different
   /// Of the query's unit, where that is not known; by default both graphs are in metres.
   std::optional<ScaleRange> scale{};
 };

@@ -35,8 +35,8 @@ struct MissingObjects {
   double min_probability = 0.4;     ///< of another reason to be missing: moved, hidden, misread
   double image_margin = 40.0;       ///< px from the border within which nothing need show
   double max_depth = default_sensor.sure_range;  ///< m beyond which nothing need show
-  double same_spot = 0.1;                        ///< m; an object found this near, plus
-  double same_spot_share = 0.5;  ///< this share of its size, is the same by another name
+  double same_spot = 0.1;        ///< m; an object found this near is the same by another name
+  double same_spot_share = 0.5;  ///< share of its size that `same_spot` grows by
   double clearance = 0.15;       ///< m that a measured depth lies beyond an object's centre,
                                  ///< plus half its size, where one looks through its place
   std::map<ClassId, double> detection_rates;  ///< of one view, of classes for which it is known;

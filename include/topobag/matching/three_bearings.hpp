@@ -13,6 +13,7 @@
 #include <Eigen/LU>
 
 #include <topobag/matching/detail/real_roots.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 
 namespace topobag {
 inline namespace v0 {

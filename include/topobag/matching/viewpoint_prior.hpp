@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {

@@ -28,8 +28,7 @@ template <typename Motion, typename Bag>
 void add_votes(std::vector<AlignmentVote<Motion>>& votes, const Bag& a,
                const Recognition& recognition, KeyframeId id, const Eigen::Isometry3d& T_b_camera) {
   for (const CandidateReport& report : recognition.candidates) {
-    const bool one = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled ||
-                     report.verdict == Verdict::not_best;
+    const bool one = is_verified(report.verdict) || report.verdict == Verdict::rivalled;
     if (!one && report.verdict != Verdict::ambiguous) continue;
     const auto info = stored_info(a, report.id, 0);
     if (!info || !info->T_world_camera) continue;
@@ -137,7 +136,7 @@ void align_by_votes(const View& a, const std::vector<Eigen::Isometry3d>& cameras
 ///     if (const MapAlignment alignment = align_maps(a, b)) {
 ///       a.merge(b, alignment.merge_options(next_session));
 ///     }
-/// @param a  a bag to look up in
+/// @param a  a bag to query
 /// @param b  a bag with `for_each`
 template <typename A, typename B>
 MapAlignment align_maps(const A& a, const B& b, const AlignOptions& options = {}) {

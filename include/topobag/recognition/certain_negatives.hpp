@@ -30,12 +30,12 @@ inline RecognitionOptions without_threshold(RecognitionOptions options) {
 
 /// What is false where the poses of key frames in the world are known: not a key frame but a pose.
 struct PoseNegativeOptions {
-  double max_translation = 1.0;     ///< m; a match that puts the query further from where it is,
-  double max_rotation = 0.7853982;  ///< rad; or turned by more, is false. 45 degrees
+  double max_translation = 1.0;     ///< m; a match that puts the query further off is false
+  double max_rotation = 0.7853982;  ///< rad; one that turns it by more is false. 45 degrees
 
   double min_time_gap = 10.0;     ///< s; a key frame is not looked up among those of its session
-                                  ///< that are nearer in time,
-  std::uint64_t min_id_gap = 30;  ///< or, where a stamp is not known, nearer in their ids
+                                  ///< that are nearer in time
+  std::uint64_t min_id_gap = 30;  ///< nearer ids are left out where a stamp is not known
 
   /// Whether two poses of the query in the world are elsewhere from each other.
   template <typename Pose>

@@ -14,6 +14,7 @@
 #include <topobag/matching/point_pair.hpp>
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
+#include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
@@ -97,8 +98,7 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
   }
   if (report.verdict == Verdict::not_best && !report.place_support) {
     stages.push_back({"first of its place, which is judged for all", false, 0.0, 1.0, true, {}});
-  } else if (best_margin &&
-             (report.verdict == Verdict::accepted || report.verdict == Verdict::not_best)) {
+  } else if (best_margin && is_verified(report.verdict)) {
     stages.push_back({"lead over the threshold, beside the best one's",
                       report.verdict == Verdict::accepted,
                       report.margin(),
@@ -152,7 +152,7 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
                                    missing.of_candidate ? position : pose.in_candidate(position),
                                    missing.views, missing.measured_views, missing.cost});
   }
-  if (report.verdict == Verdict::accepted || report.verdict == Verdict::not_best) {
+  if (is_verified(report.verdict)) {
     ChangeOptions changes;
     changes.classes = options.matching.consistency.classes;
     for (const ObjectChange& change : what_changed(candidate, query, pose, changes)) {
@@ -171,7 +171,7 @@ extern template CandidateExplanation explain_candidate(
 /// Why `query` was or was not recognised: for the best candidates the stages that each passed and
 /// failed, with numbers and objects by name. In one line: `why`.
 ///
-/// @param bag      gives the candidates' graphs by `find`; one that is gone since, or has fewer
+/// @param bag      gives the candidates' graphs; one that is gone since, or has fewer
 ///                 nodes than its report speaks of, is passed over
 /// @param query    the graph that was looked up
 /// @param options  those of the query
@@ -189,7 +189,7 @@ Explanation explain(const Recognition& recognition, const Bag& bag,
       recognition ? std::make_optional(recognition.accepted->margin()) : std::nullopt;
   for (const CandidateReport& report : recognition.candidates) {
     if (explanation.candidates.size() == max_candidates) break;
-    const auto candidate = bag.find(report.id);
+    const auto candidate = detail::stored_graph(bag, report.id, 0);
     if (!candidate || !detail::speaks_of(report, *candidate, query)) continue;
     explanation.candidates.push_back(
         explain_candidate(report, *candidate, query, catalog, options, best_margin));

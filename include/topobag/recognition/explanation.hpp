@@ -28,7 +28,7 @@ struct ExplainedStage {
   bool passed = false;   ///< whether the candidate did
   double value = 0.0;    ///< what the candidate has
   double asked = 0.0;    ///< what it should have
-  bool at_least = true;  ///< or at most
+  bool at_least = true;  ///< whether it should have so much at least, or at most
   std::string unit{};    ///< of both
 
   /// By how much the threshold was missed, in `unit`; not positive when it was reached.
@@ -116,6 +116,9 @@ inline std::string id_name(KeyframeId id) { return "key frame " + std::to_string
 
 namespace detail {
 
+inline constexpr const char* cut_short =
+    "the search was cut short (max_pairs, max_steps or max_hypotheses)";
+
 /// Two numbers with the decimals that tell them apart, two at least: 0.904 and 0.896, not twice
 /// 0.90.
 inline std::pair<std::string, std::string> told_apart(double a, double b) {
@@ -146,7 +149,7 @@ inline std::string to_string(const CandidateExplanation& candidate,
   out.precision(2);
   out << ")\n";
   if (!candidate.complete) {
-    out << "  the search was cut short (max_pairs, max_steps or max_hypotheses)\n";
+    out << "  " << detail::cut_short << '\n';
   }
   if (candidate.scale) out << "  " << to_string(*candidate.scale) << '\n';
   for (const ExplainedStage& stage : candidate.stages) {

@@ -24,6 +24,7 @@
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -36,7 +37,8 @@ template <typename Bag>
 std::vector<Candidate> candidates_by_classes(const Bag& bag, const BearingSighting& query,
                                              const QueryOptions& retrieval,
                                              const ClassGroups& groups) {
-  const double same_translation = 0.5, same_rotation = 0.25;  // m and rad
+  const double same_translation = default_sensor.pose_resolution;  // m
+  const double same_rotation = 0.5 * rotation_resolution;          // rad
   ClassCounts wanted;
   for (const Bearing& bearing : query.bearings) ++wanted[groups.group(bearing.label)];
   std::vector<Candidate> candidates;

@@ -17,7 +17,7 @@ inline namespace v0 {
 
 /// What counts as an earlier visit, and how it is recognised.
 struct LoopOptions {
-  double min_gap = 20.0;             ///< s; nearer key frames of the session are the present visit
+  double min_gap = usual_loop_gap;   ///< s; nearer key frames of the session are the present visit
   RecognitionOptions recognition{};  ///< retrieval, matching and decision
 };
 
@@ -86,7 +86,8 @@ class LoopDetector {
   std::optional<PoseWithCovariance<>> T_world_query(const Recognition& recognition) const {
     return relocalizer_.T_world_query(recognition);
   }
-  /// The same from the matched entry's pose and its covariance, as the back end knows them.
+  /// The same from the matched entry's pose and its covariance, as the back end knows them: as
+  /// `Relocalizer`.
   std::optional<PoseWithCovariance<>> T_world_query(
       const Recognition& recognition, const PoseWithCovariance<>& T_world_candidate) const {
     return relocalizer_.T_world_query(recognition, T_world_candidate);

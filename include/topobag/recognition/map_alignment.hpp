@@ -11,6 +11,7 @@
 #include <topobag/assert.hpp>
 #include <topobag/bag/merge_options.hpp>
 #include <topobag/recognition/recognition_options.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/types/pose_with_covariance.hpp>
 
 namespace topobag {
@@ -28,8 +29,9 @@ struct AlignOptions {
   /// On the project's sets .21 and more do where the alignment is true, the least where half of the
   /// furniture was moved in between, and up to .05 where it is false.
   double min_revisit_share = 0.125;
-  double deviations = 3.0;  ///< σ of a match, by which its alignment may miss another match's
-                            ///< camera, and σ of two scales, by which they may differ
+  /// σ of a match, by which its alignment may miss another match's camera, and σ of two scales, by
+  /// which they may differ.
+  double deviations = default_sensor.gate_deviations;
   std::function<void()> on_query{};  ///< when set, called after each, to tell how far it has come
 };
 

@@ -17,7 +17,7 @@ struct PlaceOptions {
   double min_score = 0.0;          ///< by one graph; below it a pose is not worth the place's time
   /// m; two camera poses in the world further apart, or turned by more, are elsewhere.
   double distinct_translation = default_sensor.place_resolution;
-  double distinct_rotation = 0.5;  ///< rad
+  double distinct_rotation = rotation_resolution;  ///< rad
   std::uint64_t min_id_gap = 30;   ///< without poses, and where no objects tell either: so many
                                    ///< key frames of one session further is elsewhere
   std::size_t max_followed = 400;  ///< without poses: steps from key frame to key frame that are

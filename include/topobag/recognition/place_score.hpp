@@ -7,14 +7,15 @@
 #include <Eigen/Geometry>
 
 #include <topobag/recognition/recognition.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 
 namespace topobag {
 inline namespace v0 {
 
 /// How far apart two cameras may be and still be said to be at one place.
 struct PlaceScale {
-  double translation = 0.5;  ///< m
-  double rotation = 0.5236;  ///< rad, 30°
+  double translation = default_sensor.pose_resolution;  ///< m
+  double rotation = 0.5236;                             ///< rad, 30°
 };
 
 /// How sure it is that a candidate was taken from about where the query was, in [0, 1]: what to
@@ -27,8 +28,7 @@ struct PlaceScale {
 /// similarity.
 template <typename Report = CandidateReport>
 double place_score(const Report& report, const PlaceScale& scale = {}) {
-  const bool verified = report.verdict == Verdict::accepted || report.verdict == Verdict::not_best;
-  if (!verified) return 0.25 * report.similarity;
+  if (!is_verified(report.verdict)) return 0.25 * report.similarity;
   const auto& T = report.pose->T_candidate_query;
   const double t = T.translation().norm() / scale.translation;
   const double turn = Eigen::AngleAxisd(T.linear()).angle() / scale.rotation;

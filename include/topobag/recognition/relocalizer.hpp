@@ -14,6 +14,7 @@
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/recognition/verify_candidates.hpp>
 #include <topobag/types/pose_with_covariance.hpp>
+#include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -36,7 +37,7 @@ class Relocalizer {
   using Bag = std::remove_reference_t<Bag_>;
   using Graph = typename Bag::Graph;
   static_assert(is_searchable_bag_v<detail::PresentView<Bag>>,
-                "topobag: a bag to look up in has Graph = TopologyGraph<Scalar>, query(graph, "
+                "topobag: a bag to query has Graph = TopologyGraph<Scalar>, query(graph, "
                 "QueryOptions) const -> std::vector<Candidate> and find(KeyframeId) const -> "
                 "std::optional<Graph>, or a view() that has.");
 
@@ -80,10 +81,12 @@ class Relocalizer {
     return T_world_query(recognition, PoseWithCovariance<>{*info->T_world_camera});
   }
 
-  /// The same from the matched entry's pose and its covariance, as the back end knows them.
+  /// The same from the matched entry's pose and its covariance, as the back end knows them. Throws
+  /// InvalidValue for a pose that is no rigid motion.
   std::optional<PoseWithCovariance<>> T_world_query(
       const Recognition& recognition, const PoseWithCovariance<>& T_world_candidate) const {
     if (!recognition) return std::nullopt;
+    require_rigid(T_world_candidate.T, "the candidate's pose");
     return T_world_candidate * recognition.accepted->pose->with_covariance();
   }
 

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/recognition/recognition.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/types/rigid_motion.hpp>
 
 namespace topobag {
@@ -16,10 +17,11 @@ inline namespace v0 {
 
 /// How many matches have to agree, how closely.
 struct TemporalOptions {
-  std::size_t min_matches = 3;      ///< that have to agree one after the other, the present one too
-  std::size_t max_missed = 1;       ///< key frames without a match in between
-  double max_translation = 0.5;     ///< m; two successive matches agree when the camera's motion
-  double max_rotation = 0.5235988;  ///< and rad; between them is the front end's up to this
+  std::size_t min_matches = 3;  ///< that have to agree one after the other, the present one too
+  std::size_t max_missed = 1;   ///< key frames without a match in between
+  /// m by which the camera's motion between two matches that agree may differ from the front end's.
+  double max_translation = default_sensor.pose_resolution;
+  double max_rotation = 0.5235988;  ///< rad by which the camera's turn may differ so; 30°
 };
 
 /// Believes a match when the key frames before it were matched alike: an accident does not repeat

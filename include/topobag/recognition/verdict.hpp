@@ -18,6 +18,12 @@ enum class Verdict {
   accepted,
 };
 
+/// Whether the match passed every stage, so that its pose is to be believed: the best of them all,
+/// or one beside it.
+inline bool is_verified(Verdict verdict) noexcept {
+  return verdict == Verdict::accepted || verdict == Verdict::not_best;
+}
+
 /// In words, for a log.
 inline const char* to_string(Verdict verdict) noexcept {
   switch (verdict) {

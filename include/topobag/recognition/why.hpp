@@ -12,8 +12,8 @@ namespace topobag {
 inline namespace v0 {
 
 /// In one line, without its end, why a query was or was not recognised: the accepted candidate's
-/// score, or the nearest one's and what was against it. For all candidates, stage by stage:
-/// `explain`.
+/// score, or the nearest one's and what was against it, and whether the search for its poses was cut
+/// short. For all candidates, stage by stage: `explain`.
 /// @param name_of  how a reader knows a key frame
 inline std::string why(const Recognition& recognition, const KeyframeName& name_of = id_name) {
   if (!recognition.usable) return "not recognised: a pose takes three objects with a position";
@@ -30,9 +30,11 @@ inline std::string why(const Recognition& recognition, const KeyframeName& name_
       line += ", " + to_string(ExplainedScale{told.pose->scale, told.pose->scale_deviation});
     }
   }
-  if (recognition) return line;
-  line += std::string(": ") + to_string(told.verdict);
-  if (told.rival) line += " (" + name_of(told.rival->id) + ")";
+  if (!recognition) {
+    line += std::string(": ") + to_string(told.verdict);
+    if (told.rival) line += " (" + name_of(told.rival->id) + ")";
+  }
+  if (!told.complete) line += std::string("; ") + detail::cut_short;
   return line;
 }
 

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <topobag/error.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -52,8 +53,7 @@ void require_registered(const Depth& depth, int width, int height) {
 ///
 /// `Pixel` is a 16-bit integer (signed where it is a disparity of OpenCV's matchers, in sixteenths)
 /// or a floating-point type. 0, negative and non-finite values are holes; so is everything outside
-/// the image. The depth at (u, v) is the nearest
-/// pixel's.
+/// the image. The depth at (u, v) is the nearest pixel's.
 template <typename Pixel>
 class DepthView {
   static_assert(std::is_same_v<Pixel, std::uint16_t> || std::is_same_v<Pixel, std::int16_t> ||
@@ -63,8 +63,8 @@ class DepthView {
  public:
   /// @param data          row-major pixels
   /// @param width,height  px
-  /// @param depth_scale   F of eq. 5: value / F = metres (5000 for TUM RGB-D, 1000 for most, 1 for
-  /// metres)
+  /// @param depth_scale   F of eq. 5: value / F = metres (5000 for TUM RGB-D, 1000 for most, 1
+  ///                      where the values are metres)
   /// @param row_stride    pixels from one row to the next; 0 = width
   /// Throws InvalidValue for a null image, a size below 1, a stride below the width, or F not > 0.
   DepthView(const Pixel* data, int width, int height, double depth_scale,

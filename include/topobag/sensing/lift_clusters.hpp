@@ -37,8 +37,8 @@ struct ClusterOptions {
   double min_confidence = 0.3;                        ///< classifier's score
   double max_range = SensorProfile::lidar().max_depth;  ///< m from the sensor
   SameObject duplicate{};       ///< of two nodes that are one object the surer one is kept
-  double centroid_floor = 0.1;  ///< m; σ of a centroid whose covariance is not known, and
-  double centroid_share = 0.1;  ///< this share of the extent more: another side shows other points
+  double centroid_floor = 0.1;  ///< m; σ of a centroid whose covariance is not known
+  double centroid_share = 0.1;  ///< of the extent, added to it: another side shows other points
 };
 
 /// A sensor that looks along x, with y to the left and z up (ROS's REP 103), in the axes of a graph:

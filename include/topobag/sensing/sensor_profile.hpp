@@ -78,5 +78,13 @@ struct SensorProfile {
 /// What options are made for, unless they are told.
 inline constexpr SensorProfile default_sensor{};
 
+/// rad; two poses of a camera that turns by more from one to the other are different.
+inline constexpr double rotation_resolution = 0.5;
+
+/// m; how far apart two objects lie tells nothing more beyond it: where the similarities' bins and
+/// those of a `LayoutPrior` end. In no profile, for a bag is made with its similarity, and layouts
+/// that were learnt and saved lie in such bins.
+inline constexpr double layout_range = 5.0;
+
 }  // namespace v0
 }  // namespace topobag

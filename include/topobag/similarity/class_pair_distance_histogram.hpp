@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/similarity/class_weights.hpp>
 #include <topobag/similarity/detail/histogram_word.hpp>
 #include <topobag/similarity/detail/soft_bins.hpp>
@@ -30,12 +31,12 @@ inline namespace v0 {
 ///
 /// Descriptor O(n² log n); similarity O(n² + k²) at most, by one merge.
 struct ClassPairDistanceHistogram {
-  double bin_width = 0.15;    ///< m, > 0
-  double max_distance = 5.0;  ///< m; farther pairs count as this far, < 2³² bin widths
-  double class_vote = 0.1;    ///< of each node for its class, where a pair's vote is 1; > 0
-  double size_vote = 1.0;     ///< of each node for each side of its box; 0 = sizes do not matter
-  double size_bin = 0.4;      ///< octaves, > 0
-  ClassWeights weights{};     ///< multiply a node's votes; a pair's by their geometric mean
+  double bin_width = 0.15;             ///< m, > 0
+  double max_distance = layout_range;  ///< m; farther pairs count as this far, < 2³² bin widths
+  double class_vote = 0.1;  ///< of each node for its class, where a pair's vote is 1; > 0
+  double size_vote = 1.0;   ///< of each node for each side of its box; 0 = sizes do not matter
+  double size_bin = 0.4;    ///< octaves, > 0
+  ClassWeights weights{};   ///< multiply a node's votes; a pair's by their geometric mean
 
   template <typename Scalar>
   SparseHistogram descriptor(const TopologyGraph<Scalar>& graph) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/similarity/detail/histogram_word.hpp>
 #include <topobag/similarity/detail/soft_bins.hpp>
 #include <topobag/similarity/similarity.hpp>
@@ -26,9 +27,9 @@ inline namespace v0 {
 /// positions are comparable. Uses neither pixels nor edges. Descriptor O(n³ log n); similarity O(n³
 /// + k³) at most, by a merge.
 struct ClassTriangles {
-  double bin_width = 0.6;     ///< m, > 0
-  double max_distance = 5.0;  ///< m; longer sides count as this long, < 2³² bin widths
-  double class_vote = 0.1;    ///< of each node for its class, where a triangle's vote is 1; > 0
+  double bin_width = 0.6;              ///< m, > 0
+  double max_distance = layout_range;  ///< m; longer sides count as this long, < 2³² bin widths
+  double class_vote = 0.1;  ///< of each node for its class, where a triangle's vote is 1; > 0
 
   template <typename Scalar>
   SparseHistogram descriptor(const TopologyGraph<Scalar>& graph) const {

@@ -12,6 +12,7 @@
 #include <topobag/error.hpp>
 #include <topobag/similarity/detail/histogram_word.hpp>
 #include <topobag/similarity/sparse_histogram.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
 #include <topobag/similarity/detail/assigned_gain.hpp>
 #include <topobag/similarity/detail/histogram_word.hpp>
 #include <topobag/similarity/detail/soft_bins.hpp>
@@ -29,8 +30,8 @@ inline namespace v0 {
 /// sparse. S is the largest total gain over max(n, k). An unknown size fits every size. Descriptor
 /// O(n² log n); similarity O(n k) cosines and the assignment, O(n³) at worst.
 struct SemanticSubgraph {
-  double bin_width = 0.2;     ///< m, > 0
-  double max_distance = 5.0;  ///< m; farther nodes count as this far, < 2³² bin widths
+  double bin_width = 0.2;              ///< m, > 0
+  double max_distance = layout_range;  ///< m; farther nodes count as this far, < 2³² bin widths
 
   /// One node: its class, its sub-graph (of length 1), its width and height (m).
   using Part = std::tuple<ClassId, SparseHistogram, double, double>;

@@ -4,11 +4,16 @@
 #include <vector>
 
 #include <topobag/adaptors/fleet/fleet_view.hpp>
+#include <topobag/bag/bag_concepts.hpp>
 
 #include "catch.hpp"
 #include "random_graphs.hpp"
 
 using namespace topobag;
+
+// Its ids are its own: it is asked, and neither saved nor merged.
+static_assert(is_searchable_bag_v<FleetView> && !is_stored_bag_v<FleetView>);
+static_assert(!is_growing_bag_v<FleetView> && !is_durable_bag_v<FleetView>);
 
 TEST_CASE("ties go by key, whatever the order of arrival", "[fleet]") {
   std::mt19937 random(1);
@@ -34,5 +39,6 @@ TEST_CASE("ties go by key, whatever the order of arrival", "[fleet]") {
   REQUIRE(keys.size() == 40);
   CHECK(keys.front().site == "hall");
   CHECK(keys.back().site == "yard");
+  CHECK(view.image_kind() == bag.image_kind());
   CHECK_THROWS_AS(view.key(KeyframeId{2ULL << 32}), InvalidId);
 }

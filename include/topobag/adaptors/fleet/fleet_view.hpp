@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct FleetSession {
 
 /// The key frames of a fleet as a `FleetBag` knew them at one moment. Never changes, and may be
 /// read from any number of threads. Its ids are the bag's own; `key` says whose they are.
+///
+/// A bag that is asked alone (`is_searchable_bag_v`): its ids mean nothing outside of it, so that
+/// `for_each` tells keys, and neither `save` nor a `merge` takes it (`is_stored_bag_v` is false).
 class FleetView {
  public:
   using Graph = BagView::Graph;
@@ -54,6 +58,8 @@ class FleetView {
   }
   /// As `BagView::appearance_kind`.
   AppearanceKind appearance_kind() const noexcept { return bag_->appearance_kind(); }
+  /// As `BagView::image_kind`.
+  ImageKind image_kind() const noexcept { return bag_->image_kind(); }
   MemoryUsage memory_usage() const { return bag_->memory_usage(); }
 
   /// By number.
@@ -95,7 +101,9 @@ class FleetView {
 
   /// Calls `visit(const FleetKey&, const EntryInfo&, const Graph&)` for every entry, by key.
   /// O(n log n).
-  template <typename Visit>
+  template <typename Visit, std::enable_if_t<std::is_invocable_v<const Visit&, const FleetKey&,
+                                                                 const EntryInfo&, const Graph&>,
+                                             int> = 0>
   void for_each(const Visit& visit) const {
     std::vector<KeyframeId> ids;
     bag_->for_each([&](KeyframeId id, const auto&, const auto&) { ids.push_back(id); });

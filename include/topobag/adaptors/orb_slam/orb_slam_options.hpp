@@ -21,7 +21,7 @@ struct OrbSlamOptions {
   std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
   /// s between the key frames of a loop, which those of other maps need not keep; beside the host's
   /// rule that covisible ones make none. Nearer ones are the present visit.
-  double min_loop_gap = 20.0;
+  double min_loop_gap = usual_loop_gap;
   std::chrono::milliseconds loop_wait{200};  ///< a loop query waits this long for a sighting
                                              ///< that was not given up
   StaleTolerance stale{};                    ///< `refresh_changed` makes a graph anew beyond it

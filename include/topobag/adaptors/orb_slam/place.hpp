@@ -47,7 +47,7 @@ void append_places(const CandidateReport& report, const host_pointer_t<KeyFrame>
     places.push_back({key_frame, pose.T_candidate_query, T_world_candidate * pose.T_candidate_query,
                       pose.score(), verified, other_map});
   };
-  offer(*report.pose, report.verdict == Verdict::accepted || report.verdict == Verdict::not_best);
+  offer(*report.pose, is_verified(report.verdict));
   for (const RelativePose& other : report.other_poses) offer(other, false);
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {

@@ -10,6 +10,7 @@
 
 #include <topobag/bag/detail/codec/graph_header.hpp>
 #include <topobag/bag/detail/codec/node_layout.hpp>
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {

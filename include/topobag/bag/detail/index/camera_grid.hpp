@@ -13,6 +13,7 @@
 
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
+#include <topobag/bag/place_count.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -71,7 +72,7 @@ class CameraGrid {
   }
 
  private:
-  static constexpr double side = 3.0;  // m, about as far as a place is asked for
+  static constexpr double side = PlaceCount::cell;  // m
 
   using Cell = std::array<std::int64_t, 3>;
   struct Camera {
