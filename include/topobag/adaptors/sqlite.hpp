@@ -136,8 +136,7 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   /// @param other  with `for_each` as this one's
   template <typename Other>
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
-    static_assert(detail::shows_entries_v<Other, Graph>,
-                  "topobag: a bag to merge has for_each, of KeyframeId, EntryInfo and Graph.");
+    detail::require_entries<Other, Graph>();
     options.validate();
     Rows rows(other, appearance_kind_, file_.options().views, options);
     std::set<KeyframeId> theirs;

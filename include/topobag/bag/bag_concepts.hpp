@@ -53,6 +53,13 @@ inline constexpr bool
                         std::declval<void (*)(KeyframeId, const EntryInfo&, const Graph&)>()))>> =
         true;
 
+/// Of a bag that is merged into another.
+template <typename Bag, typename Graph>
+constexpr void require_entries() {
+  static_assert(shows_entries_v<Bag, Graph>,
+                "topobag: a bag to merge has for_each, of KeyframeId, EntryInfo and Graph.");
+}
+
 template <typename Bag, typename = void>
 struct is_stored_bag : std::false_type {};
 template <typename Bag>

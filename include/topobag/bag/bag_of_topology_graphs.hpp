@@ -93,8 +93,7 @@ class BagOfTopologyGraphs {
   /// @param other  with `for_each` as this one's
   template <typename Other>
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
-    static_assert(detail::shows_entries_v<Other, Graph>,
-                  "topobag: a bag to merge has for_each, of KeyframeId, EntryInfo and Graph.");
+    detail::require_entries<Other, Graph>();
     options.validate();
     detail::DescriptorKinds kinds = kinds_;
     using Descriptor = decltype(descriptor_of(std::declval<const Graph&>()));
@@ -141,7 +140,6 @@ class BagOfTopologyGraphs {
   }
   /// The one kind of the descriptors that were added; of length 0 where none was.
   AppearanceKind appearance_kind() const noexcept { return kinds_.appearance; }
-
   /// The same of the whole images' descriptors.
   ImageKind image_kind() const noexcept { return kinds_.image; }
 
@@ -159,8 +157,7 @@ class BagOfTopologyGraphs {
   /// What is known of the key frame beside its graph, or nothing.
   std::optional<EntryInfo> info(KeyframeId id) const {
     const auto it = entries_.find(id);
-    if (it == entries_.end()) return std::nullopt;
-    return it->second->info;
+    return it == entries_.end() ? std::nullopt : std::optional(it->second->info);
   }
   /// The id next to this one, which need not be there itself; nothing at the end. O(log n).
   std::optional<KeyframeId> after(KeyframeId id) const { return detail::key_after(entries_, id); }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -162,8 +161,7 @@ class BasicIndexedBag {
     if constexpr (std::is_same_v<detail::PresentView<Other>, View>) {
       return merge(*detail::present_view(other, 0), options);
     } else {
-      static_assert(detail::shows_entries_v<Other, Graph>,
-                    "topobag: a bag to merge has for_each, of KeyframeId, EntryInfo and Graph.");
+      detail::require_entries<Other, Graph>();
       BasicIndexedBag copy(*similarity_, views_);
       other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
         copy.add(id, graph, info);
