@@ -112,7 +112,7 @@ class Run {
   void track() {
     std::vector<double> ms;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-      const Images images = read_images(frames_[i]);
+      const Images images = read_images(frames_[i], stereo_);
       const program::Stopwatch watch;
       const auto Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
@@ -159,7 +159,7 @@ class Run {
     std::set<double> relocalized;
     std::vector<double> ms;
     for (std::size_t i = 0; i < kidnap_.frames.size(); i += arguments_.kidnap_every) {
-      Images images = read_images(kidnap_.frames[i]);
+      Images images = read_images(kidnap_.frames[i], stereo_);
       if (arguments_.kidnap_without_depth) images.depth.setTo(0.0);
       const auto truth = true_pose(kidnap_.truth, images.stamp);
       if (!truth) continue;

@@ -43,12 +43,19 @@ inline std::vector<FramePaths> read_associations(const std::string& sequence,
   return frames;
 }
 
-/// Throws topobag::Error when a file is not an image.
-inline Images read_images(const FramePaths& frame) {
-  Images images{cv::imread(frame.rgb, cv::IMREAD_COLOR),
-                cv::imread(frame.depth, cv::IMREAD_UNCHANGED), frame.stamp};
+/// The images of one moment; both of a stereo pair in color, grey ones too, for whoever compares
+/// them wants both alike. Throws topobag::Error when a file is not an image, or the images of a
+/// stereo pair have not one size.
+inline Images read_images(const FramePaths& frame, bool is_stereo) {
+  const int second = is_stereo ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED;
+  Images images{cv::imread(frame.rgb, cv::IMREAD_COLOR), cv::imread(frame.depth, second),
+                frame.stamp};
   if (images.rgb.empty()) throw topobag::Error(frame.rgb + ": the file is not an image");
   if (images.depth.empty()) throw topobag::Error(frame.depth + ": the file is not an image");
+  if (is_stereo && images.depth.size() != images.rgb.size()) {
+    throw topobag::Error(frame.depth + ": the right image has not the size of the left one, " +
+                         frame.rgb);
+  }
   return images;
 }
 

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <detectors.hpp>
 #include <feature_depths.hpp>
@@ -48,21 +47,4 @@ TEST_CASE("boxes get the depths of the host's features in them, and of no others
   CHECK(ranged[0].label == topobag::ClassId{56});
   CHECK(ranged[0].confidence == 0.9);
   CHECK(ranged[1].z == 0.0);
-}
-
-TEST_CASE("boxes get the depths of a rectified pair's disparities", "[hooks]") {
-  // Texture on two planes, 20 and 10 px apart in the images: 2.5 m and 5 m.
-  cv::Mat texture(480, 700, CV_8UC1);
-  cv::RNG random(4);
-  random.fill(texture, cv::RNG::UNIFORM, 0, 255);
-  cv::GaussianBlur(texture, texture, {5, 5}, 1.0);
-  semantic::Images images;
-  images.rgb = texture(cv::Rect(0, 0, 640, 480)).clone();
-  images.depth = images.rgb.clone();
-  texture(cv::Rect(20, 0, 320, 480)).copyTo(images.depth(cv::Rect(0, 0, 320, 480)));
-  texture(cv::Rect(330, 0, 320, 480)).copyTo(images.depth(cv::Rect(320, 0, 320, 480)));
-  const auto ranged = semantic::with_disparities(two_boxes, small_calibration())(images);
-  REQUIRE(ranged.size() == 2);
-  CHECK(ranged[0].z == Approx(2.5).epsilon(0.02));
-  CHECK(ranged[1].z == Approx(5.0).epsilon(0.02));
 }
