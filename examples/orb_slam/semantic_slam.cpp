@@ -25,10 +25,7 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
       database_(settings.database, [this](const Frame& frame) { return sight_of_lost(frame); }),
       thread_([this](const Job& job) { work(job); }, settings.thread,
               [this](const Job& job, const std::string& why) {
-                if (!job.id) return;
-                database_.give_up(job.epoch, *job.id);  // loop closing does not wait
-                const std::lock_guard<std::mutex> lock(mutex_);
-                ++lost_key_frames_[why];
+                if (job.id) give_up(job.epoch, *job.id, why);
               }) {}
 
 SemanticSlam::~SemanticSlam() { thread_.stop(); }
@@ -47,10 +44,20 @@ void SemanticSlam::FrameMade(Frame& frame, const cv::Mat& rgb, const cv::Mat& de
 
 void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
   const Stopwatch watch;
+  const std::uint64_t epoch = database_.epoch(), id = key_frame->mnId;
+  if (key_frame->mTimeStamp != current_.stamp) {  // the first of a monocular map
+    return give_up(epoch, id, "its images are those of an earlier frame");
+  }
   // The caller may use its images again; the job outlives them.
-  thread_.push({database_.epoch(),
-                std::uint64_t{key_frame->mnId},
-                {current_.rgb.clone(), current_.depth.clone(), current_.stamp, current_.points}});
+  Images images{current_.rgb.clone(), current_.depth.clone(), current_.stamp, current_.points};
+  if (settings_.map_point_depths) {
+    try {
+      images.points = map_point_depths(*key_frame);
+    } catch (const std::exception& error) {
+      return give_up(epoch, id, error.what());
+    }
+  }
+  thread_.push({epoch, id, std::move(images)});
   note("tracking: hand a key frame over", watch.milliseconds());
 }
 
@@ -251,6 +258,13 @@ void SemanticSlam::work(const Job& job) {
       job.epoch, *job.id,
       topobag::sight_keyframe(job.images.stamp, std::move(detections), settings_.camera, catalog_));
   note("topology thread: fuse and add", watch.milliseconds());
+}
+
+/// Nothing will be seen in the key frame: loop closing does not wait for it.
+void SemanticSlam::give_up(std::uint64_t epoch, std::uint64_t id, const std::string& why) {
+  database_.give_up(epoch, id);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++lost_key_frames_[why];
 }
 
 void SemanticSlam::note(const std::string& stage, double ms) {

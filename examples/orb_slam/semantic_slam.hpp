@@ -22,10 +22,10 @@
 
 namespace semantic {
 
-/// The images of one call of `TrackRGBD`, and what the host made of them.
+/// The images of one frame, and what the host made of them.
 struct Images {
   cv::Mat rgb;
-  cv::Mat depth;
+  cv::Mat depth;                              ///< or the right one; empty: there is one camera
   double stamp = 0.0;                         ///< s
   std::vector<topobag::DepthPoint> points{};  ///< features whose depth the host knows, undistorted
 };
@@ -42,6 +42,8 @@ struct Settings {
   topobag::OrbSlamOptions database{};
   topobag::TopologyThreadOptions thread{};
   double lost_window = 0.0;  ///< s of frames of a lost camera that are fused by odometry
+  /// A monocular host: it knows the depths of its key frames' map points alone, in its own unit.
+  bool map_point_depths = false;
   /// Drops the features on dynamic boxes from every frame before it is tracked; needs a detector
   /// that answers at the camera's pace.
   std::optional<topobag::DynamicFeatureOptions> mask{};
@@ -134,6 +136,7 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   std::vector<topobag::RangedDetection> detect(const Images& images, const char* stage);
   void drop_dynamic_features(Frame& frame);
   void refresh();
+  void give_up(std::uint64_t epoch, std::uint64_t id, const std::string& why);
   static Places plain(const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places);
   std::vector<OfferedLoop> offers(const KeyFrame& key_frame,
                                   const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places) const;

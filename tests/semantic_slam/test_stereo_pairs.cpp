@@ -57,7 +57,7 @@ TEST_CASE("a grey stereo pair is read alike, and has the same depths", "[hooks][
   const semantic::FramePaths paths{1.5, folder.path("left.png"), folder.path("right.png")};
   REQUIRE(cv::imwrite(paths.rgb, made.rgb));
   REQUIRE(cv::imwrite(paths.depth, made.depth));
-  const semantic::Images images = semantic::read_images(paths, true);
+  const semantic::Images images = semantic::read_images(paths, semantic::Sensor::stereo);
   CHECK(images.stamp == 1.5);
   CHECK(images.rgb.type() == CV_8UC3);
   CHECK(images.depth.type() == CV_8UC3);
@@ -69,7 +69,7 @@ TEST_CASE("a depth image is read as it is", "[hooks]") {
   const semantic::FramePaths paths{1.5, folder.path("color.png"), folder.path("depth.png")};
   REQUIRE(cv::imwrite(paths.rgb, cv::Mat::zeros(4, 6, CV_8UC3)));
   REQUIRE(cv::imwrite(paths.depth, cv::Mat(4, 6, CV_16UC1, 5000)));
-  const semantic::Images images = semantic::read_images(paths, false);
+  const semantic::Images images = semantic::read_images(paths, semantic::Sensor::rgbd);
   REQUIRE(images.depth.type() == CV_16UC1);
   CHECK(images.depth.at<std::uint16_t>(2, 3) == 5000);
 }
@@ -78,14 +78,15 @@ TEST_CASE("images that make no pair are refused with the file's name", "[hooks]"
   const ScratchFolder folder;
   const semantic::FramePaths paths{1.5, folder.path("left.png"), folder.path("right.png")};
   REQUIRE(cv::imwrite(paths.rgb, cv::Mat::zeros(4, 6, CV_8UC1)));
-  const auto said = [&paths](bool is_stereo) {
-    return error_text([&] { semantic::read_images(paths, is_stereo); });
+  const auto said = [&paths](semantic::Sensor sensor) {
+    return error_text([&] { semantic::read_images(paths, sensor); });
   };
-  CHECK(said(true) == paths.depth + ": the file is not an image");
+  CHECK(said(semantic::Sensor::stereo) == paths.depth + ": the file is not an image");
   REQUIRE(cv::imwrite(paths.depth, cv::Mat::zeros(4, 5, CV_8UC1)));
-  CHECK(said(true) ==
+  CHECK(said(semantic::Sensor::stereo) ==
         paths.depth + ": the right image has not the size of the left one, " + paths.rgb);
-  CHECK(said(false) == "nothing was thrown");  // the host takes depth images of its own size
+  CHECK(said(semantic::Sensor::rgbd) ==
+        "nothing was thrown");  // the host takes depth images of its own size
 }
 
 TEST_CASE("a stereo camera's settings have to name its baseline", "[hooks][regression]") {
