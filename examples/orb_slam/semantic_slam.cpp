@@ -139,7 +139,9 @@ SemanticSlam::Places SemanticSlam::RelocalizationPlaces() { return plain(places_
 SemanticSlam::Places SemanticSlam::plain(
     const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places) {
   Places plain;
-  for (const auto& place : places) plain.push_back({place.key_frame, place.camera_pose()});
+  for (const auto& place : places) {
+    plain.push_back({place.key_frame, place.camera_pose(), static_cast<float>(place.scale)});
+  }
   return plain;
 }
 

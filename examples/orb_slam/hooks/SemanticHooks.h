@@ -19,7 +19,8 @@ namespace topobag_hooks {
 template <typename KeyFrame>
 struct Place {
   KeyFrame* key_frame;        ///< that shows the same objects
-  std::array<float, 16> Tcw;  ///< that key frame's world to the camera, row by row
+  std::array<float, 16> Tcw;  ///< that key frame's world to the camera, in its unit, row by row
+  float scale;                ///< of that world's units in one of the query's own
 };
 
 /// What listens. Every function comes on a thread of the host and must not throw.
