@@ -24,6 +24,7 @@ struct Arguments {
   std::size_t candidates = 0;
   std::string out = ".";
   std::string load_sightings, save_sightings;
+  double still = 0.0;  ///< m; 0 = every key frame is looked at
   bool mask = false;
   bool stock = false;
   bool no_wait = false;

@@ -46,6 +46,10 @@ struct Inputs {
       recognition.matching.scale = topobag::ScaleRange{};  // its maps' units drift and differ
     }
     settings.lost_window = arguments.kidnap_window;
+    if (arguments.still > 0.0) {
+      settings.still.emplace();
+      settings.still->max_motion = arguments.still;
+    }
     if (arguments.mask) settings.mask = topobag::DynamicFeatureOptions{};
     return settings;
   }

@@ -25,6 +25,11 @@ inline void add_options(CLI::App& app, Arguments& arguments) {
                  "features in them, or its map points for mono; stereo = disparities of the pair "
                  "[the sensor's own]")
       ->check(CLI::IsMember({"rgbd", "points", "stereo"}));
+  app.add_option(
+         "--still", arguments.still,
+         "m, a radian counting as one: key frames whose view changed no more since the last "
+         "look, up to 5 s ago, are not looked at")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--mask", arguments.mask, "Track without the features on what moves")->needs(table);
   app.add_flag("--stock", arguments.stock, "Without the bag");
   app.add_flag("--no-wait", arguments.no_wait, "As fast as it goes, not at the camera's pace");

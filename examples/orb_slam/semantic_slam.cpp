@@ -25,8 +25,12 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
       database_(settings.database, [this](const Frame& frame) { return sight_of_lost(frame); }),
       thread_([this](const Job& job) { work(job); }, settings.thread,
               [this](const Job& job, const std::string& why) {
-                if (job.id) give_up(job.epoch, *job.id, why);
-              }) {}
+                if (!job.id) return;
+                look_again_ = true;
+                give_up(job.epoch, *job.id, why);
+              }) {
+  if (settings.still) still_.emplace(*settings.still);
+}
 
 SemanticSlam::~SemanticSlam() { thread_.stop(); }
 
@@ -48,12 +52,14 @@ void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
   if (key_frame->mTimeStamp != current_.stamp) {  // the first of a monocular map
     return give_up(epoch, id, "its images are those of an earlier frame");
   }
+  if (!should_look(*key_frame)) return give_up(epoch, id, "the view hardly changed");
   // The caller may use its images again; the job outlives them.
   Images images{current_.rgb.clone(), current_.depth.clone(), current_.stamp, current_.points};
   if (settings_.map_point_depths) {
     try {
       images.points = map_point_depths(*key_frame);
     } catch (const std::exception& error) {
+      look_again_ = true;
       return give_up(epoch, id, error.what());
     }
   }
@@ -67,9 +73,13 @@ void SemanticSlam::Added(KeyFrame* key_frame) {
   note("loop closing: add", watch.milliseconds());
 }
 
-void SemanticSlam::Erased(KeyFrame* key_frame) { database_.erase(key_frame); }
+void SemanticSlam::Erased(KeyFrame* key_frame) {
+  if (key_frame->mnId == last_look_) look_again_ = true;
+  database_.erase(key_frame);
+}
 
 void SemanticSlam::Cleared() {
+  look_again_ = true;
   thread_.reset();
   database_.clear();
   lost_.clear();
@@ -260,6 +270,23 @@ void SemanticSlam::work(const Job& job) {
       job.epoch, *job.id,
       topobag::sight_keyframe(job.images.stamp, std::move(detections), settings_.camera, catalog_));
   note("topology thread: fuse and add", watch.milliseconds());
+}
+
+/// Whether the detector has to look at a new key frame. Those after it stand for a look that came
+/// to nothing, was culled, or is of another map.
+bool SemanticSlam::should_look(KeyFrame& key_frame) {
+  if (!still_) return true;
+  const void* const map = topobag::map_of(key_frame);
+  if (look_again_.exchange(false) || map != still_map_) still_->forget();
+  try {
+    const auto T_world_camera = topobag::host_pose(key_frame.GetPoseInverse());
+    if (!still_->should_look(key_frame.mTimeStamp, T_world_camera)) return false;
+  } catch (const std::exception&) {
+    still_->forget();  // no pose to compare the next one with
+  }
+  still_map_ = map;
+  last_look_ = key_frame.mnId;
+  return true;
 }
 
 /// Nothing will be seen in the key frame: loop closing does not wait for it.

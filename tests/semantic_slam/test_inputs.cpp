@@ -114,6 +114,10 @@ TEST_CASE("a host in metres keeps its scale, and pairs of images have both", "[h
   const semantic::Settings settings = inputs.settings(given.arguments);
   CHECK_FALSE(settings.map_point_depths);
   CHECK_FALSE(settings.database.recognition.matching.scale);
+  CHECK_FALSE(settings.still);
+  given.arguments.still = 0.2;
+  REQUIRE(inputs.settings(given.arguments).still);
+  CHECK(inputs.settings(given.arguments).still->max_motion == 0.2);
   given.arguments.depth = "stereo";
   CHECK(given.refusal().find("--depth stereo needs the distance of the two cameras") == 0);
   given.arguments.stock = true;
