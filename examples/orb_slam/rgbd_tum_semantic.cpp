@@ -94,7 +94,7 @@ class Run {
     const bool is_mono = inputs_.sensor == Sensor::mono;
     alignment_ = topobag::align(
         pairs, is_mono ? topobag::AlignmentModel::sim3 : topobag::AlignmentModel::se3);
-    if (is_mono) std::cout << "m in the host's unit: " << alignment_.scale << '\n';
+    if (is_mono) std::cout << "metres in a unit of the host: " << alignment_.scale << '\n';
     const auto ate =
         topobag::translation_statistics(topobag::pose_errors(topobag::aligned(pairs, alignment_)));
     if (ate) std::cout << "ATE rmse: " << ate->rmse << " m\n";

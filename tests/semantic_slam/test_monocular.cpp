@@ -80,7 +80,7 @@ class MonocularRoom {
   std::deque<host::MapPoint> map_points;
 };
 
-std::unique_ptr<semantic::SemanticSlam> beside(const MonocularRoom& room) {
+std::unique_ptr<semantic::SemanticSlam> beside_one_camera(const MonocularRoom& room) {
   semantic::Settings settings;
   settings.camera = room.calibration.camera;
   settings.map_point_depths = true;
@@ -98,7 +98,7 @@ TEST_CASE("one camera: a lost frame is found by directions, in the host's unit",
   for (const double per_metre : {0.7, 1.0, 1.4}) {
     CAPTURE(per_metre);
     MonocularRoom room(per_metre);
-    const auto semantic = beside(room);
+    const auto semantic = beside_one_camera(room);
     std::mt19937 random(6);
     std::vector<std::unique_ptr<host::KeyFrame>> key_frames;
     for (unsigned long id = 1; id <= 3; ++id) {
@@ -130,7 +130,7 @@ TEST_CASE("one camera: a lost frame is found by directions, in the host's unit",
 TEST_CASE("one camera: the first key frame's images are gone when it is made", "[hooks]") {
   const cv::Mat image = cv::Mat::zeros(4, 4, CV_8U);
   MonocularRoom room(1.0);
-  const auto semantic = beside(room);
+  const auto semantic = beside_one_camera(room);
   std::mt19937 random(6);
   room.cameras[1.0] = room.cameras[2.0] = random_camera(random);
   for (const double stamp : {1.0, 2.0}) {

@@ -41,7 +41,8 @@ inline bool RefineSim3(const Place<ORB_SLAM3::KeyFrame>& place, ORB_SLAM3::KeyFr
     // The host's least distance is 50 bits, times this ratio.
     const int found =
         matcher.SearchByProjection(key_frame, projection, points, matches,
-                                   static_cast<int>(search.window), search.distance / 50.0f);
+                                   static_cast<int>(search.window),
+                                   static_cast<float>(search.distance) / 50.0f);
     if (found < search.least) return false;
     g2o::Sim3 Scm = Scw * Swm;
     Eigen::Matrix<double, 7, 7> information;

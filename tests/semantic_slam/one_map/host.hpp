@@ -42,3 +42,5 @@ void give_up(Hooks& hooks, Map&) {
 }
 
 }  // namespace host
+
+#include "semantic_slam/small_system.hpp"  // in terms of the types above

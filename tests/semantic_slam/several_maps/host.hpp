@@ -47,3 +47,5 @@ void give_up(Hooks& hooks, Map& map) {
 }
 
 }  // namespace host
+
+#include "semantic_slam/small_system.hpp"  // in terms of the types above
