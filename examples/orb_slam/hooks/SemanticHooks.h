@@ -31,7 +31,7 @@ class SemanticObserver {
 
   virtual ~SemanticObserver() = default;
   /// `frame` was made of these images and of nothing else yet; its features may be dropped. The
-  /// second is the depth image, or the right one of a stereo camera.
+  /// second is the depth image, or the right one of a stereo camera; one camera has none: empty.
   virtual void FrameMade(Frame& frame, const cv::Mat& image, const cv::Mat& second) = 0;
   virtual void KeyFrameMade(KeyFrame* key_frame) = 0;
   virtual void Added(KeyFrame* key_frame) = 0;
