@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include <topobag/error.hpp>
+
+#include "sensor.hpp"
 
 namespace semantic {
 
@@ -12,7 +14,7 @@ namespace semantic {
 struct Arguments {
   std::string vocabulary, settings, sequence, associations;
   std::string table, model;
-  std::string depth = "rgbd";
+  std::string sensor, depth;  ///< empty: by the other one, rgbd where both are
   std::string kidnap_sequence, kidnap_associations, kidnap_table;
   std::size_t kidnap_every = 12;
   double kidnap_window = 0.0;
@@ -22,43 +24,31 @@ struct Arguments {
   std::size_t candidates = 0;
   std::string out = ".";
   std::string load_sightings, save_sightings;
+  double still = 0.0;  ///< m; 0 = every key frame is looked at
   bool mask = false;
   bool stock = false;
   bool no_wait = false;
 };
 
-/// Makes them options of the program's command line.
-inline void add_options(CLI::App& app, Arguments& arguments) {
-  app.add_option("VOC", arguments.vocabulary, "ORB vocabulary, text")->required();
-  app.add_option("SETTINGS", arguments.settings, "The host's settings, YAML")->required();
-  app.add_option("SEQUENCE", arguments.sequence, "Folder of the sequence")->required();
-  app.add_option("ASSOCIATIONS", arguments.associations, "Pairs of images")->required();
-  auto* table = app.add_option("--detections", arguments.table, "Node table of the sequence");
-  app.add_option("--model", arguments.model, "YOLOX network, ONNX")->excludes(table);
-  app.add_option("--depth", arguments.depth,
-                 "Of the boxes: rgbd = the table's own or the depth image; points = the host's own "
-                 "features in them; stereo = a rectified pair, the right images in place of depth")
-      ->check(CLI::IsMember({"rgbd", "points", "stereo"}));
-  app.add_flag("--mask", arguments.mask, "Track without the features on what moves")->needs(table);
-  app.add_flag("--stock", arguments.stock, "Without the bag");
-  app.add_flag("--no-wait", arguments.no_wait, "As fast as it goes, not at the camera's pace");
-  app.add_option("--window", arguments.window, "Seconds of key frames in one graph");
-  app.add_option("--places", arguments.max_places, "Places offered to a lost tracker");
-  app.add_option("--candidates", arguments.candidates, "Key frames whose graphs are matched [3]");
-  app.add_option("--out", arguments.out, "Folder for trajectories, loops, re-localizations");
-  app.add_option("--load-sightings", arguments.load_sightings, "Of the map that the host loads");
-  app.add_option("--save-sightings", arguments.save_sightings, "Beside the map that it saves");
-  auto* kidnap_associations =
-      app.add_option("--kidnap-associations", arguments.kidnap_associations, "Its pairs of images");
-  app.add_option("--kidnap", arguments.kidnap_sequence, "Then shows frames of this sequence alone")
-      ->needs(kidnap_associations);
-  app.add_option("--kidnap-detections", arguments.kidnap_table, "Its node table")->needs(table);
-  app.add_option("--kidnap-every", arguments.kidnap_every, "Every so many of its frames")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--kidnap-window", arguments.kidnap_window,
-                 "Seconds of shown frames in one graph, joined by the true relative poses");
-  app.add_flag("--kidnap-without-depth", arguments.kidnap_without_depth,
-               "The shown frames come without depth: they are looked up by directions alone");
+/// The host's camera.
+inline Sensor sensor_of(const Arguments& arguments) {
+  const std::string& name =
+      arguments.sensor.empty() && arguments.depth == "stereo" ? arguments.depth : arguments.sensor;
+  return name == "stereo" ? Sensor::stereo : name == "mono" ? Sensor::mono : Sensor::rgbd;
+}
+
+/// Where the boxes get their depths from: "rgbd", "points" or "stereo". Throws topobag::Error for
+/// depths that the camera does not have.
+inline std::string depth_of(const Arguments& arguments) {
+  const Sensor sensor = sensor_of(arguments);
+  const std::string own = sensor == Sensor::rgbd     ? "rgbd"
+                          : sensor == Sensor::stereo ? "stereo"
+                                                     : "points";
+  if (arguments.depth.empty() || arguments.depth == own) return own;
+  if (arguments.depth == "points") return arguments.depth;
+  throw topobag::Error("--sensor " + arguments.sensor + " has no --depth " + arguments.depth +
+                       ": give " + (own == "points" ? own : own + " or points") +
+                       ", or leave it out");
 }
 
 }  // namespace semantic

@@ -118,8 +118,13 @@ inline Detect with_feature_depths(const Detect& boxes, const Calibration& calibr
 }
 
 /// Boxes with the depths of the disparities of a rectified pair, of up to 128 px. What the boxes
-/// knew of depth is forgotten.
+/// knew of depth is forgotten. Throws topobag::Error for settings that say nothing of a baseline.
 inline Detect with_disparities(const Detect& boxes, const Calibration& calibration) {
+  if (!(calibration.baseline > 0.0)) {
+    throw topobag::Error(
+        "--depth stereo needs the distance of the two cameras, and the settings have no positive "
+        "one: give them Stereo.b, in m, or Camera.bf, which is that times Camera.fx");
+  }
   const cv::Ptr<cv::StereoSGBM> matcher = cv::StereoSGBM::create(0, 128, 5, 200, 800);
   return [boxes, calibration, matcher](const Images& images) {
     cv::Mat disparity;  // CV_16S, 16 a pixel

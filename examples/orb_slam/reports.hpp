@@ -47,7 +47,7 @@ inline void print_errors(const std::string& name, const std::vector<topobag::Pos
   if (!m) return;
   const auto degrees = topobag::rotation_statistics(errors);
   out << name << ": median " << m->median << " m, " << degrees->median << " degrees; largest "
-            << m->max << " m, " << degrees->max << " degrees\n";
+      << m->max << " m, " << degrees->max << " degrees\n";
 }
 
 /// What the objects alone make of the frames shown, and together with the host.
@@ -107,9 +107,10 @@ inline void report_map(const SemanticSlam& semantic, bool mask) {
 }
 
 /// The candidates that were offered for loops or merges, scored by the truth as far as it is known.
-/// @param path  of a table of them
+/// @param scale  m in the host's unit
+/// @param path   of a table of them
 inline void report_offers(const std::string& what, const std::vector<OfferedLoop>& offered,
-                          const topobag::Trajectory& truth, const std::string& path,
+                          const topobag::Trajectory& truth, double scale, const std::string& path,
                           std::ostream& out = std::cout) {
   std::ofstream file(path);
   file << "query_stamp,candidate_stamp,error_m,error_deg\n" << std::setprecision(17);
@@ -119,7 +120,9 @@ inline void report_offers(const std::string& what, const std::vector<OfferedLoop
     const auto query = true_pose(truth, loop.query_stamp);
     const auto candidate = true_pose(truth, loop.candidate_stamp);
     if (query && candidate) {
-      const auto error = topobag::pose_error(candidate->inverse() * *query, loop.T_candidate_query);
+      Eigen::Isometry3d T_candidate_query = loop.T_candidate_query;
+      T_candidate_query.translation() *= scale;
+      const auto error = topobag::pose_error(candidate->inverse() * *query, T_candidate_query);
       ++known;
       wrong += topobag::judge(error) == topobag::PoseVerdict::wrong ? 1U : 0U;
       file << error.translation_m << ',' << error.rotation_deg;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ORB-SLAM2 or 3 with a bag of topology graphs beside it, on an RGB-D sequence of the TUM
-// benchmark.
+// ORB-SLAM2 or 3 with a bag of topology graphs beside it, on a sequence in the form of the TUM
+// RGB-D benchmark.
 #include <chrono>
 #include <cstddef>
 #include <exception>
@@ -25,8 +25,8 @@
 
 #include <stopwatch.hpp>
 
-#include "arguments.hpp"
-#include "detectors.hpp"
+#include "inputs.hpp"
+#include "options.hpp"
 #include "reports.hpp"
 #include "semantic_slam.hpp"
 #include "tum_sequence.hpp"
@@ -34,70 +34,32 @@
 namespace semantic {
 namespace {
 
-/// The frames that are shown to the lost tracker, none by default.
-struct Kidnap {
-  explicit Kidnap(const Arguments& arguments) {
-    if (arguments.kidnap_sequence.empty()) return;
-    frames = read_associations(arguments.kidnap_sequence, arguments.kidnap_associations);
-    required_truth(arguments.sequence);  // by which the map is laid onto the truth
-    truth = required_truth(arguments.kidnap_sequence);
-  }
-
-  std::vector<FramePaths> frames;
-  topobag::Trajectory truth;
-};
-
-/// The boxes of the tables, which have to be those of the sequences.
-Detect boxes_of_tables(const Arguments& arguments, const std::vector<FramePaths>& frames,
-                       const Kidnap& kidnap) {
-  std::vector<std::string> tables{arguments.table};
-  if (!arguments.kidnap_table.empty()) tables.push_back(arguments.kidnap_table);
-  TableRows rows(tables);
-  rows.require_some_of(frames, "--detections");
-  rows.require_some_of(kidnap.frames, "--kidnap-detections");
-  return table_detector(std::move(rows));
-}
-
-Detect make_detect(const Arguments& arguments, const Calibration& calibration,
-                   const std::vector<FramePaths>& frames, const Kidnap& kidnap) {
-  if (arguments.stock) return {};
-  const Detect boxes = arguments.model.empty() ? boxes_of_tables(arguments, frames, kidnap)
-                                               : network_detector(arguments.model, calibration);
-  if (arguments.depth == "points") return with_feature_depths(boxes, calibration);
-  if (arguments.depth == "stereo") return with_disparities(boxes, calibration);
-  return arguments.model.empty() ? undistorted(boxes, calibration)
-                                 : with_depth_image(boxes, calibration);
-}
-
 template <typename Pose>
 Eigen::Isometry3d world_camera(const Pose& Tcw) {
   return topobag::host_pose(Tcw).inverse();
+}
+
+host::System::eSensor sensor_of_host(Sensor sensor) {
+  switch (sensor) {
+    case Sensor::stereo:
+      return host::System::STEREO;
+    case Sensor::mono:
+      return host::System::MONOCULAR;
+    default:
+      return host::System::RGBD;
+  }
 }
 
 class Run {
  public:
   explicit Run(const Arguments& arguments)
       : arguments_(arguments),
-        calibration_(read_calibration(arguments.settings)),
-        stereo_(arguments.depth == "stereo"),
-        frames_(read_associations(arguments.sequence, arguments.associations)),
-        kidnap_(arguments),
-        detect_(make_detect(arguments, calibration_, frames_, kidnap_)),
-        slam_(arguments.vocabulary, arguments.settings,
-              stereo_ ? host::System::STEREO : host::System::RGBD, false) {
+        inputs_(arguments),
+        slam_(arguments.vocabulary, arguments.settings, sensor_of_host(inputs_.sensor), false) {
     if (arguments.stock) return;
-    Settings settings;
-    settings.camera = calibration_.camera;
-    settings.database.fusing.window = arguments.window;
-    settings.database.max_relocalizations = arguments.max_places;
-    if (arguments.candidates > 0) {
-      settings.database.recognition.retrieval.max_results = arguments.candidates;
-    }
-    settings.lost_window = arguments.kidnap_window;
-    if (arguments.mask) settings.mask = topobag::DynamicFeatureOptions{};
     semantic_ = std::make_unique<SemanticSlam>(
-        settings, topobag::ClassCatalog::coco80(), detect_,
-        [this](double stamp) { return true_pose(kidnap_.truth, stamp); });
+        inputs_.settings(arguments), topobag::ClassCatalog::coco80(), inputs_.detect,
+        [this](double stamp) { return true_pose(inputs_.kidnap_truth, stamp); });
     host::hold_poses(*semantic_, slam_);
     if (!arguments.load_sightings.empty()) {
       std::cout << semantic_->load(arguments.load_sightings) << " sightings restored\n";
@@ -111,32 +73,38 @@ class Run {
 
   void track() {
     std::vector<double> ms;
-    for (std::size_t i = 0; i < frames_.size(); ++i) {
-      const Images images = read_images(frames_[i]);
+    const std::vector<FramePaths>& frames = inputs_.frames;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const Images images = read_images(frames[i], inputs_.sensor);
       const program::Stopwatch watch;
       const auto Tcw = track_frame(images);
       ms.push_back(watch.milliseconds());
       if (host::is_tracking(slam_)) {
         tracked_.push_back({images.stamp, world_camera(Tcw)});
       }
-      if (!arguments_.no_wait && i + 1 < frames_.size()) {
-        const double left = (frames_[i + 1].stamp - images.stamp) - ms.back() / 1000.0;
+      if (!arguments_.no_wait && i + 1 < frames.size()) {
+        const double left = (frames[i + 1].stamp - images.stamp) - ms.back() / 1000.0;
         if (left > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
       }
     }
     if (semantic_) semantic_->wait_idle();
-    std::cout << "\nframes: " << frames_.size() << ", tracked: " << tracked_.size() << '\n';
+    std::cout << "\nframes: " << frames.size() << ", tracked: " << tracked_.size() << '\n';
     const auto truth = read_truth(arguments_.sequence);
     const auto pairs = topobag::associate(truth, tracked_);
-    alignment_ = topobag::align(pairs);
+    const bool is_mono = inputs_.sensor == Sensor::mono;
+    alignment_ = topobag::align(
+        pairs, is_mono ? topobag::AlignmentModel::sim3 : topobag::AlignmentModel::se3);
+    if (is_mono) std::cout << "metres in a unit of the host: " << alignment_.scale << '\n';
     const auto ate =
         topobag::translation_statistics(topobag::pose_errors(topobag::aligned(pairs, alignment_)));
     if (ate) std::cout << "ATE rmse: " << ate->rmse << " m\n";
     if (semantic_) {
       report_map(*semantic_, arguments_.mask);
-      report_offers("loop", semantic_->offered_loops(), truth, arguments_.out + "/loops.csv");
+      report_offers("loop", semantic_->offered_loops(), truth, alignment_.scale,
+                    arguments_.out + "/loops.csv");
       if constexpr (topobag::has_maps_v<host::KeyFrame>) {
-        report_offers("merge", semantic_->offered_merges(), truth, arguments_.out + "/merges.csv");
+        report_offers("merge", semantic_->offered_merges(), truth, alignment_.scale,
+                      arguments_.out + "/merges.csv");
         std::cout << "merges begun from object poses: " << semantic_->merges_begun() << '\n';
       }
     }
@@ -158,10 +126,10 @@ class Run {
     std::vector<topobag::PoseError> errors;
     std::set<double> relocalized;
     std::vector<double> ms;
-    for (std::size_t i = 0; i < kidnap_.frames.size(); i += arguments_.kidnap_every) {
-      Images images = read_images(kidnap_.frames[i]);
+    for (std::size_t i = 0; i < inputs_.kidnap_frames.size(); i += arguments_.kidnap_every) {
+      Images images = read_images(inputs_.kidnap_frames[i], inputs_.sensor);
       if (arguments_.kidnap_without_depth) images.depth.setTo(0.0);
-      const auto truth = true_pose(kidnap_.truth, images.stamp);
+      const auto truth = true_pose(inputs_.kidnap_truth, images.stamp);
       if (!truth) continue;
       for (const double before : {0.02, 0.01}) {
         track_frame({cv::Mat::zeros(images.rgb.size(), images.rgb.type()),
@@ -189,7 +157,7 @@ class Run {
     if (!semantic_) return;
     auto offered = semantic_->offered_places();
     offered.erase(offered.begin(), offered.begin() + static_cast<std::ptrdiff_t>(offered_before));
-    report_places(offered, relocalized, kidnap_.truth, alignment_);
+    report_places(offered, relocalized, inputs_.kidnap_truth, alignment_);
     for (const auto& [name, times] : semantic_->times()) {
       if (name.rfind("tracking, lost", 0) == 0) print_times(name, times);
     }
@@ -213,17 +181,18 @@ class Run {
   }
 
   host::Pose track_frame(const Images& images) {
-    return stereo_ ? slam_.TrackStereo(images.rgb, images.depth, images.stamp)
-                   : slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+    switch (inputs_.sensor) {
+      case Sensor::stereo:
+        return slam_.TrackStereo(images.rgb, images.depth, images.stamp);
+      case Sensor::mono:
+        return slam_.TrackMonocular(images.rgb, images.stamp);
+      default:
+        return slam_.TrackRGBD(images.rgb, images.depth, images.stamp);
+    }
   }
 
   const Arguments& arguments_;
-  const Calibration calibration_;
-  // What can be wrong with the user's files shows before the host reads its vocabulary.
-  const bool stereo_;
-  const std::vector<FramePaths> frames_;
-  const Kidnap kidnap_;
-  const Detect detect_;
+  const Inputs inputs_;
   host::System slam_;
   std::unique_ptr<SemanticSlam> semantic_;
   topobag::Trajectory tracked_;

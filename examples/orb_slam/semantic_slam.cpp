@@ -26,10 +26,11 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
       thread_([this](const Job& job) { work(job); }, settings.thread,
               [this](const Job& job, const std::string& why) {
                 if (!job.id) return;
-                database_.give_up(job.epoch, *job.id);  // loop closing does not wait
-                const std::lock_guard<std::mutex> lock(mutex_);
-                ++lost_key_frames_[why];
-              }) {}
+                look_again_ = true;
+                give_up(job.epoch, *job.id, why);
+              }) {
+  if (settings.still) still_.emplace(*settings.still);
+}
 
 SemanticSlam::~SemanticSlam() { thread_.stop(); }
 
@@ -47,10 +48,22 @@ void SemanticSlam::FrameMade(Frame& frame, const cv::Mat& rgb, const cv::Mat& de
 
 void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
   const Stopwatch watch;
+  const std::uint64_t epoch = database_.epoch(), id = key_frame->mnId;
+  if (key_frame->mTimeStamp != current_.stamp) {  // the first of a monocular map
+    return give_up(epoch, id, "its images are those of an earlier frame");
+  }
+  if (!should_look(*key_frame)) return give_up(epoch, id, "the view hardly changed");
   // The caller may use its images again; the job outlives them.
-  thread_.push({database_.epoch(),
-                std::uint64_t{key_frame->mnId},
-                {current_.rgb.clone(), current_.depth.clone(), current_.stamp, current_.points}});
+  Images images{current_.rgb.clone(), current_.depth.clone(), current_.stamp, current_.points};
+  if (settings_.map_point_depths) {
+    try {
+      images.points = map_point_depths(*key_frame);
+    } catch (const std::exception& error) {
+      look_again_ = true;
+      return give_up(epoch, id, error.what());
+    }
+  }
+  thread_.push({epoch, id, std::move(images)});
   note("tracking: hand a key frame over", watch.milliseconds());
 }
 
@@ -60,9 +73,13 @@ void SemanticSlam::Added(KeyFrame* key_frame) {
   note("loop closing: add", watch.milliseconds());
 }
 
-void SemanticSlam::Erased(KeyFrame* key_frame) { database_.erase(key_frame); }
+void SemanticSlam::Erased(KeyFrame* key_frame) {
+  if (key_frame->mnId == last_look_) look_again_ = true;
+  database_.erase(key_frame);
+}
 
 void SemanticSlam::Cleared() {
+  look_again_ = true;
   thread_.reset();
   database_.clear();
   lost_.clear();
@@ -132,7 +149,9 @@ SemanticSlam::Places SemanticSlam::RelocalizationPlaces() { return plain(places_
 SemanticSlam::Places SemanticSlam::plain(
     const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places) {
   Places plain;
-  for (const auto& place : places) plain.push_back({place.key_frame, place.camera_pose()});
+  for (const auto& place : places) {
+    plain.push_back({place.key_frame, place.camera_pose(), static_cast<float>(place.scale)});
+  }
   return plain;
 }
 
@@ -251,6 +270,30 @@ void SemanticSlam::work(const Job& job) {
       job.epoch, *job.id,
       topobag::sight_keyframe(job.images.stamp, std::move(detections), settings_.camera, catalog_));
   note("topology thread: fuse and add", watch.milliseconds());
+}
+
+/// Whether the detector has to look at a new key frame. Those after it stand for a look that came
+/// to nothing, was culled, or is of another map.
+bool SemanticSlam::should_look(KeyFrame& key_frame) {
+  if (!still_) return true;
+  const void* const map = topobag::map_of(key_frame);
+  if (look_again_.exchange(false) || map != still_map_) still_->forget();
+  try {
+    const auto T_world_camera = topobag::host_pose(key_frame.GetPoseInverse());
+    if (!still_->should_look(key_frame.mTimeStamp, T_world_camera)) return false;
+  } catch (const std::exception&) {
+    still_->forget();  // no pose to compare the next one with
+  }
+  still_map_ = map;
+  last_look_ = key_frame.mnId;
+  return true;
+}
+
+/// Nothing will be seen in the key frame: loop closing does not wait for it.
+void SemanticSlam::give_up(std::uint64_t epoch, std::uint64_t id, const std::string& why) {
+  database_.give_up(epoch, id);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++lost_key_frames_[why];
 }
 
 void SemanticSlam::note(const std::string& stage, double ms) {

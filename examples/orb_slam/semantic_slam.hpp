@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
@@ -19,13 +20,14 @@
 #include <topobag/adaptors/topology_thread.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>
 #include <topobag/sensing/sparse_depth.hpp>
+#include <topobag/sensing/still_view.hpp>
 
 namespace semantic {
 
-/// The images of one call of `TrackRGBD`, and what the host made of them.
+/// The images of one frame, and what the host made of them.
 struct Images {
   cv::Mat rgb;
-  cv::Mat depth;
+  cv::Mat depth;                              ///< or the right one; empty: there is one camera
   double stamp = 0.0;                         ///< s
   std::vector<topobag::DepthPoint> points{};  ///< features whose depth the host knows, undistorted
 };
@@ -42,6 +44,11 @@ struct Settings {
   topobag::OrbSlamOptions database{};
   topobag::TopologyThreadOptions thread{};
   double lost_window = 0.0;  ///< s of frames of a lost camera that are fused by odometry
+  /// A monocular host: it knows the depths of its key frames' map points alone, in its own unit.
+  bool map_point_depths = false;
+  /// Key frames whose view hardly changed are not looked at and hold no objects; lengths are in the
+  /// host's unit.
+  std::optional<topobag::StillViewOptions> still{};
   /// Drops the features on dynamic boxes from every frame before it is tracked; needs a detector
   /// that answers at the camera's pace.
   std::optional<topobag::DynamicFeatureOptions> mask{};
@@ -134,6 +141,8 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   std::vector<topobag::RangedDetection> detect(const Images& images, const char* stage);
   void drop_dynamic_features(Frame& frame);
   void refresh();
+  bool should_look(KeyFrame& key_frame);
+  void give_up(std::uint64_t epoch, std::uint64_t id, const std::string& why);
   static Places plain(const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places);
   std::vector<OfferedLoop> offers(const KeyFrame& key_frame,
                                   const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places) const;
@@ -152,6 +161,8 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   double graph_ms_ = 0.0;     ///< what the last lost frame's graph took; 0 = it has none
   bool by_bearings_ = false;  ///< whether the last lost frame has its directions alone
   MaskedFeatures masked_;
+  std::optional<topobag::StillView> still_;
+  const void* still_map_ = nullptr;  ///< of several: that of the last look
 
   double last_check_ = 0.0;  ///< s; stamp of the lost frame at which the graphs were looked after
 
@@ -165,6 +176,8 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   std::vector<OfferedPlaces> offered_places_;
 
   std::atomic<std::size_t> merges_begun_{0};
+  std::atomic<std::uint64_t> last_look_{0};  ///< the key frame
+  std::atomic<bool> look_again_{false};      ///< the last look came to nothing
   std::mutex detect_mutex_;
   topobag::OrbSlamDatabase<KeyFrame, Frame, host::Map> database_;
   topobag::TopologyThread<Job> thread_;

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <detectors.hpp>
 #include <feature_depths.hpp>
+#include <host.hpp>
 
 #include "catch.hpp"
 #include "semantic_slam/small_calibration.hpp"
@@ -37,6 +37,29 @@ TEST_CASE("the features whose depth the host knows", "[hooks]") {
   CHECK(points[1].z == 4.0);
 }
 
+TEST_CASE("the features of a monocular key frame have the depths of its map points", "[hooks]") {
+  host::Map map;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  T_world_camera.linear() << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // looks along the world's x axis
+  T_world_camera.translation() << 1.0, 2.0, 3.0;
+  host::KeyFrame key_frame(1, 1.0, T_world_camera, map);
+  CHECK(semantic::map_point_depths(key_frame).empty());
+  host::MapPoint seen{host::position({3.5, 2.5, 3.0})};
+  host::MapPoint nearer{host::position({2.0, 2.0, 4.0})};
+  host::MapPoint behind{host::position({0.5, 2.0, 3.0})};
+  host::MapPoint bad{host::position({4.0, 2.0, 3.0}), true};
+  key_frame.map_points = {nullptr, &seen, &bad, &behind, &nearer, nullptr};
+  for (int i = 0; i < 6; ++i) {
+    key_frame.mvKeysUn.emplace_back(cv::Point2f(static_cast<float>(30 * i), 240.0F), 31.0F);
+  }
+  const auto points = semantic::map_point_depths(key_frame);
+  REQUIRE(points.size() == 2);
+  CHECK(points[0].pixel == Eigen::Vector2d(30.0, 240.0));
+  CHECK(points[0].z == Approx(2.5));
+  CHECK(points[1].pixel == Eigen::Vector2d(120.0, 240.0));
+  CHECK(points[1].z == Approx(1.0));
+}
+
 TEST_CASE("boxes get the depths of the host's features in them, and of no others", "[hooks]") {
   semantic::Images images;
   for (int i = 0; i < 10; ++i) images.points.push_back({{150.0 + 10.0 * i, 240.0}, 2.0});
@@ -48,21 +71,4 @@ TEST_CASE("boxes get the depths of the host's features in them, and of no others
   CHECK(ranged[0].label == topobag::ClassId{56});
   CHECK(ranged[0].confidence == 0.9);
   CHECK(ranged[1].z == 0.0);
-}
-
-TEST_CASE("boxes get the depths of a rectified pair's disparities", "[hooks]") {
-  // Texture on two planes, 20 and 10 px apart in the images: 2.5 m and 5 m.
-  cv::Mat texture(480, 700, CV_8UC1);
-  cv::RNG random(4);
-  random.fill(texture, cv::RNG::UNIFORM, 0, 255);
-  cv::GaussianBlur(texture, texture, {5, 5}, 1.0);
-  semantic::Images images;
-  images.rgb = texture(cv::Rect(0, 0, 640, 480)).clone();
-  images.depth = images.rgb.clone();
-  texture(cv::Rect(20, 0, 320, 480)).copyTo(images.depth(cv::Rect(0, 0, 320, 480)));
-  texture(cv::Rect(330, 0, 320, 480)).copyTo(images.depth(cv::Rect(320, 0, 320, 480)));
-  const auto ranged = semantic::with_disparities(two_boxes, small_calibration())(images);
-  REQUIRE(ranged.size() == 2);
-  CHECK(ranged[0].z == Approx(2.5).epsilon(0.02));
-  CHECK(ranged[1].z == Approx(5.0).epsilon(0.02));
 }

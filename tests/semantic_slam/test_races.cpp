@@ -19,6 +19,7 @@ std::unique_ptr<semantic::SemanticSlam> beside(SmallSlam& slam) {
   settings.database.loop_wait = std::chrono::milliseconds(1);
   settings.database.min_loop_gap = 0.0;
   settings.mask = topobag::DynamicFeatureOptions{};
+  settings.still.emplace();
   auto beside = std::make_unique<semantic::SemanticSlam>(
       settings, topobag::ClassCatalog::coco80(),
       [&slam](const semantic::Images& images) { return slam.detect(images.stamp); });

@@ -14,7 +14,8 @@ namespace {
 
 /// A camera that stands still at the origin for a tenth of a second.
 topobag::Trajectory still_truth() {
-  return {{0.0, Eigen::Isometry3d::Identity()}, {0.05, Eigen::Isometry3d::Identity()},
+  return {{0.0, Eigen::Isometry3d::Identity()},
+          {0.05, Eigen::Isometry3d::Identity()},
           {0.1, Eigen::Isometry3d::Identity()}};
 }
 
@@ -65,13 +66,30 @@ TEST_CASE("candidates that the truth does not know are told apart from right one
                                                    {0.0, 50.0, Eigen::Isometry3d::Identity()}};
   const auto said = [&](const topobag::Trajectory& truth) {
     std::ostringstream out;
-    semantic::report_offers("loop", offered, truth, folder.path("loops.csv"), out);
+    semantic::report_offers("loop", offered, truth, 1.0, folder.path("loops.csv"), out);
     return out.str();
   };
   CHECK(said(still_truth()) ==
         "loop candidates offered: 2, of which the truth knows: 1, wrong by the truth: 0\n");
   CHECK(said({}) ==
         "loop candidates offered: 2, of which the truth knows: 0, wrong by the truth: 0\n");
+}
+
+TEST_CASE("candidates in a host's own unit are scored in metres", "[hooks]") {
+  const ScratchFolder folder;
+  const topobag::Trajectory walk{{0.0, Eigen::Isometry3d::Identity()},
+                                 {0.05, Eigen::Isometry3d(Eigen::Translation3d(1.0, 0.0, 0.0))},
+                                 {0.1, Eigen::Isometry3d(Eigen::Translation3d(2.0, 0.0, 0.0))}};
+  const std::vector<semantic::OfferedLoop> offered{
+      {0.1, 0.0, Eigen::Isometry3d(Eigen::Translation3d(4.0, 0.0, 0.0))}};
+  const auto said = [&](double scale) {
+    std::ostringstream out;
+    semantic::report_offers("loop", offered, walk, scale, folder.path("loops.csv"), out);
+    return out.str();
+  };
+  CHECK(said(0.5) == "loop candidates offered: 1, wrong by the truth: 0\n");
+  CHECK(content_of(folder.path("loops.csv")).find(",0,0\n") != std::string::npos);
+  CHECK(said(1.0) == "loop candidates offered: 1, wrong by the truth: 1\n");
 }
 
 TEST_CASE("a kidnapped camera is not scored without a truth", "[hooks][regression]") {

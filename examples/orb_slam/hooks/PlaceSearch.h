@@ -72,7 +72,7 @@ class PlaceSearch {
   /// Optimises the frame's pose and lets go of outliers; the number of inliers.
   static int OptimizePose(Frame& frame) {
     const int good = Host::Optimizer::PoseOptimization(&frame);
-    for (int i = 0; i < frame.N; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(frame.N); ++i) {
       if (frame.mvbOutlier[i]) frame.mvpMapPoints[i] = nullptr;
     }
     return good;

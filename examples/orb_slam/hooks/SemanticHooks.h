@@ -19,7 +19,8 @@ namespace topobag_hooks {
 template <typename KeyFrame>
 struct Place {
   KeyFrame* key_frame;        ///< that shows the same objects
-  std::array<float, 16> Tcw;  ///< that key frame's world to the camera, row by row
+  std::array<float, 16> Tcw;  ///< that key frame's world to the camera, in its unit, row by row
+  float scale;                ///< of that world's units in one of the query's own
 };
 
 /// What listens. Every function comes on a thread of the host and must not throw.
@@ -30,7 +31,7 @@ class SemanticObserver {
 
   virtual ~SemanticObserver() = default;
   /// `frame` was made of these images and of nothing else yet; its features may be dropped. The
-  /// second is the depth image, or the right one of a stereo camera.
+  /// second is the depth image, or the right one of a stereo camera; one camera has none: empty.
   virtual void FrameMade(Frame& frame, const cv::Mat& image, const cv::Mat& second) = 0;
   virtual void KeyFrameMade(KeyFrame* key_frame) = 0;
   virtual void Added(KeyFrame* key_frame) = 0;

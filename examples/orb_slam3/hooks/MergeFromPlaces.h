@@ -11,6 +11,14 @@
 
 namespace topobag_hooks {
 
+/// The place's world, in its unit, to the key frame, in the key frame's own.
+inline g2o::Sim3 SimilarityOf(const Place<ORB_SLAM3::KeyFrame>& place, bool fixed_scale) {
+  const Sophus::SE3d Tcw = PoseOf(place).cast<double>();
+  const double scale = fixed_scale ? 1.0 : 1.0 / static_cast<double>(place.scale);
+  const Eigen::Vector3d translation = scale * Tcw.translation();
+  return g2o::Sim3(Tcw.unit_quaternion(), translation, scale);
+}
+
 /// Refines the object pose (`Scw`: the place's world to the key frame) by matches of the map points
 /// around the place, in searches that narrow. False where there are too few.
 inline bool RefineSim3(const Place<ORB_SLAM3::KeyFrame>& place, ORB_SLAM3::KeyFrame* key_frame,
@@ -33,7 +41,8 @@ inline bool RefineSim3(const Place<ORB_SLAM3::KeyFrame>& place, ORB_SLAM3::KeyFr
     // The host's least distance is 50 bits, times this ratio.
     const int found =
         matcher.SearchByProjection(key_frame, projection, points, matches,
-                                   static_cast<int>(search.window), search.distance / 50.0f);
+                                   static_cast<int>(search.window),
+                                   static_cast<float>(search.distance) / 50.0f);
     if (found < search.least) return false;
     g2o::Sim3 Scm = Scw * Swm;
     Eigen::Matrix<double, 7, 7> information;
@@ -65,8 +74,7 @@ void MergeFromPlaces(Hooks& hooks, ORB_SLAM3::KeyFrame* key_frame, bool fixed_sc
   for (std::size_t i = 0; i < places.size(); ++i) {
     ORB_SLAM3::KeyFrame* const matched = places[i].key_frame;
     if (matched->isBad()) continue;
-    const Sophus::SE3d Tcw = PoseOf(places[i]).template cast<double>();
-    g2o::Sim3 Scw(Tcw.unit_quaternion(), Tcw.translation(), 1.0);
+    g2o::Sim3 Scw = SimilarityOf(places[i], fixed_scale);
     if (!RefineSim3(places[i], key_frame, fixed_scale, Scw) || !detect(matched, Scw)) continue;
     matched->SetNotErase();
     state.matched = matched;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <random>
 #include <vector>
 
 #include <topobag/adaptors/orb_slam/fuse_sightings.hpp>
+#include <topobag/graph/scaled_graph.hpp>
 
 #include "adaptors/small_host.hpp"
 #include "catch.hpp"
@@ -60,4 +63,35 @@ TEST_CASE("gravity of several key frames falls together", "[adaptors][gravity]")
   REQUIRE(graph.gravity());
   CHECK(graph.gravity()->down.isApprox(sightings.back().gravity->down, 1e-9));
   CHECK(graph.gravity()->deviation == Approx(0.02 * std::sqrt(0.625)));
+}
+
+TEST_CASE("sightings and poses in one unit fuse in it, whatever it is", "[adaptors]") {
+  const SyntheticRoom room(3, 8, 5);
+  for (const double factor : {0.7, 1.6}) {
+    std::mt19937 random(4);
+    std::vector<PosedSighting> in_metres, in_units;
+    for (int i = 0; i < 4; ++i) {
+      Eigen::Isometry3d T_world_camera = random_camera(random);
+      KeyframeSighting seen = small_host::sighting(room, 0.5 * i, T_world_camera);
+      in_metres.push_back({std::make_shared<const KeyframeSighting>(seen), T_world_camera});
+      seen.nodes = scaled(TopologyGraph<>(seen.nodes, {}), factor).nodes();
+      T_world_camera.translation() *= factor;
+      in_units.push_back({std::make_shared<const KeyframeSighting>(seen), T_world_camera});
+    }
+    const TopologyGraph<> expected = scaled(fuse_sightings(in_metres, {}), factor);
+    const TopologyGraph<> graph = fuse_sightings(in_units, {});
+    REQUIRE(graph.size() == expected.size());
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+      CHECK((*graph.nodes()[i].position - *expected.nodes()[i].position).norm() < 1e-9);
+    }
+    // The poses alone in another unit: what was seen before stands elsewhere.
+    for (std::size_t i = 0; i < in_units.size(); ++i) in_units[i].sighting = in_metres[i].sighting;
+    const TopologyGraph<> mixed = fuse_sightings(in_units, {});
+    double off = 0.0;
+    const auto& last = in_metres.back().sighting->nodes;
+    for (std::size_t i = 0; i < std::min(mixed.size(), last.size()); ++i) {
+      off = std::max(off, (*mixed.nodes()[i].position - *last[i].position).norm());
+    }
+    CHECK(off > 0.02);
+  }
 }

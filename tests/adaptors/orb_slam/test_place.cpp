@@ -43,6 +43,7 @@ TEST_CASE("a place is where the pose in the candidate puts the camera", "[adapto
     CandidateReport report;
     report.pose.emplace();
     report.pose->T_candidate_query = random_camera(random);
+    report.pose->scale = 0.7;
     report.other_poses.emplace_back();
     report.other_poses[0].T_candidate_query = random_camera(random);
     report.verdict = Verdict::accepted;
@@ -55,6 +56,8 @@ TEST_CASE("a place is where the pose in the candidate puts the camera", "[adapto
       CHECK(place.T_world_query.isApprox(T_world_candidate * place.T_candidate_query));
     }
     CHECK(places[0].T_candidate_query.isApprox(report.pose->T_candidate_query));
+    CHECK(places[0].scale == 0.7);
+    CHECK(places[1].scale == 1.0);
     CHECK(places[0].verified);
     CHECK_FALSE(places[1].verified);  // the decision is about the best pose
   }

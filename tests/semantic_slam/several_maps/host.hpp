@@ -9,6 +9,7 @@
 
 #include "adaptors/small_host.hpp"
 #include "semantic_slam/small_frame.hpp"
+#include "semantic_slam/small_map_point.hpp"
 
 /// What the program needs of an ORB-SLAM3, on types of our own: key frames lead to one of several
 /// maps.
@@ -22,7 +23,11 @@ struct Map {
   bool IsBad() const { return false; }
 };
 
-class KeyFrame : public small_host::KeyFrame {
+using MapPoint = SmallMapPoint<Eigen::Vector3f>;
+
+inline Eigen::Vector3f position(const Eigen::Vector3d& point) { return point.cast<float>(); }
+
+class KeyFrame : public small_host::KeyFrame, public SmallObservations<MapPoint> {
  public:
   KeyFrame(unsigned long id, double stamp, const Eigen::Isometry3d& T_world_camera, Map& map)
       : small_host::KeyFrame(id, stamp, T_world_camera), map_(&map) {}
@@ -42,3 +47,5 @@ void give_up(Hooks& hooks, Map& map) {
 }
 
 }  // namespace host
+
+#include "semantic_slam/small_system.hpp"  // in terms of the types above

@@ -24,7 +24,10 @@ struct PosedSighting {
 };
 
 /// The graph of the last sighting's key frame, fused from all of them in the order of time. The
-/// world cancels out: only relative poses go in. Empty for none. Throws as `LocalGraph::add`.
+/// world cancels out: only relative poses go in. Sightings and poses have to be in one unit: what
+/// was seen is never rescaled, so that a host whose depths come from its own map (monocular ones)
+/// and which changes that map's unit leaves the sightings from before in the one of then. Empty for
+/// none. Throws as `LocalGraph::add`.
 inline TopologyGraph<> fuse_sightings(const std::vector<PosedSighting>& sightings,
                                       const LocalGraphOptions& options) {
   if (sightings.empty()) return {};

@@ -155,8 +155,8 @@ class KeyFrameBag {
 
   /// Makes those graphs anew whose key frames moved against each other, were culled or came to
   /// another map since: after a loop, a merge, a change of scale, whether the host tells of it or
-  /// not. Returns how many; throws as `refresh`. Some µs for each of the n key frames, and their
-  /// fusing for those that changed.
+  /// not; what was seen stays in its unit (`fuse_sightings`). Returns how many; throws as `refresh`.
+  /// Some µs for each of the n key frames, and their fusing for those that changed.
   std::size_t refresh_changed() {
     Lock lock(mutex_);
     const std::vector<std::uint64_t> changed = host_.stale(lock);

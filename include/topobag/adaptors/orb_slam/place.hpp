@@ -21,15 +21,18 @@ template <typename KeyFrame>
 struct OrbSlamPlace {
   host_pointer_t<KeyFrame> key_frame{};  ///< the host's; a plain pointer owns nothing
   Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();  ///< the match
-  /// The candidate's pose at the time of the query, carried on.
+  /// The candidate's pose at the time of the query, carried on: in the candidate's world and unit.
   Eigen::Isometry3d T_world_query = Eigen::Isometry3d::Identity();
+  /// How many of the candidate's units one of the query's is, where the options leave it open
+  /// (`MatchOptions::scale`): a point p of the query's camera is at T_world_query · (scale · p).
+  double scale = 1.0;
   double score = 0.0;        ///< `RelativePose::score()`
   bool verified = false;     ///< passed every stage of the decision, or was only not the best;
                              ///< otherwise a guess that the host has to test
   bool other_map = false;    ///< in another map than was asked for (hosts with several)
   bool by_bearings = false;  ///< found by directions alone, without depth
 
-  /// The host's `mTcw` for the query: world to camera.
+  /// The host's `mTcw` for the query: the candidate's world to the camera, in the candidate's unit.
   PlainPose camera_pose() const { return plain_pose(T_world_query.inverse()); }
 };
 
@@ -45,7 +48,7 @@ void append_places(const CandidateReport& report, const host_pointer_t<KeyFrame>
   const bool other_map = map != nullptr && map_of(*key_frame) != map;
   const auto offer = [&](const RelativePose& pose, bool verified) {
     places.push_back({key_frame, pose.T_candidate_query, T_world_candidate * pose.T_candidate_query,
-                      pose.score(), verified, other_map});
+                      pose.scale, pose.score(), verified, other_map});
   };
   offer(*report.pose, is_verified(report.verdict));
   for (const RelativePose& other : report.other_poses) offer(other, false);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What the hooks of ORB-SLAM2 call of it, on types of our own: under the names that they include.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace ORB_SLAM2 {
+
+struct MapPoint {};
+
+struct KeyFrame {
+  std::vector<MapPoint*> points;
+
+  bool isBad() const { return false; }
+  std::vector<KeyFrame*> GetBestCovisibilityKeyFrames(int) const { return {}; }
+};
+
+struct Frame {
+  int N = 0;
+  std::vector<MapPoint*> mvpMapPoints;
+  std::vector<bool> mvbOutlier;
+  cv::Mat mTcw;
+
+  void SetPose(const cv::Mat& Tcw) { mTcw = Tcw.clone(); }
+};
+
+/// Matches a key frame's points in order, wherever the camera is.
+struct ORBmatcher {
+  ORBmatcher(float, bool) {}
+
+  void SearchByProjection(Frame& frame, KeyFrame* key_frame, const std::set<MapPoint*>&, float,
+                          int) {
+    const std::size_t count = std::min(frame.mvpMapPoints.size(), key_frame->points.size());
+    std::copy_n(key_frame->points.begin(), count, frame.mvpMapPoints.begin());
+  }
+};
+
+struct Optimizer {
+  static int PoseOptimization(Frame* frame) {
+    return static_cast<int>(frame->mvpMapPoints.size() -
+                            static_cast<std::size_t>(std::count(
+                                frame->mvpMapPoints.begin(), frame->mvpMapPoints.end(), nullptr)));
+  }
+};
+
+/// Finds a pose where there are 55 matches, turns the first away, and moves 1 along x.
+struct PnPsolver {
+  PnPsolver(const Frame& frame, const std::vector<MapPoint*>& matches)
+      : pose(frame.mTcw.clone()),
+        count(static_cast<int>(matches.size()) -
+              static_cast<int>(std::count(matches.begin(), matches.end(), nullptr))),
+        features(matches.size()) {}
+
+  void SetRansacParameters(double, int, int, int, float, float) {}
+  cv::Mat iterate(int, bool&, std::vector<bool>& inliers, int&) {
+    if (count < 55) return {};
+    inliers.assign(features, true);
+    inliers[0] = false;
+    pose.at<float>(0, 3) += 1.0F;
+    return pose;
+  }
+
+  cv::Mat pose;
+  int count;
+  std::size_t features;
+};
+
+}  // namespace ORB_SLAM2

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// What the hooks of ORB-SLAM3 call of it, on types of our own: under the names that they include.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace Sophus {
+
+template <typename S>
+struct SE3 {
+  using Quaternion = Eigen::Quaternion<S>;
+  using Vector = Eigen::Matrix<S, 3, 1>;
+
+  SE3() = default;
+  SE3(const Quaternion& rotation, const Vector& translation) : q(rotation), t(translation) {}
+
+  template <typename Other>
+  SE3<Other> cast() const {
+    return {q.template cast<Other>(), t.template cast<Other>()};
+  }
+  Quaternion unit_quaternion() const { return q; }
+  Vector translation() const { return t; }
+
+  Quaternion q = Quaternion::Identity();
+  Vector t = Vector::Zero();
+};
+using SE3f = SE3<float>;
+using SE3d = SE3<double>;
+
+struct Sim3f {
+  Sim3f(const Eigen::Quaternionf& rotation, const Eigen::Vector3f& translation)
+      : q(rotation), t(translation) {}
+  void setScale(float scale) { s = scale; }
+
+  Eigen::Quaternionf q;
+  Eigen::Vector3f t;
+  float s = 1.0F;
+};
+
+}  // namespace Sophus
+
+namespace g2o {
+
+/// x ↦ s · R · x + t.
+struct Sim3 {
+  Sim3() = default;
+  Sim3(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& translation, double scale)
+      : q(rotation), t(translation), s(scale) {}
+
+  Sim3 operator*(const Sim3& other) const {
+    return {q * other.q, s * (q * other.t) + t, s * other.s};
+  }
+  Sim3 inverse() const {
+    const Eigen::Quaterniond back = q.conjugate();
+    return {back, -(back * t) / s, 1.0 / s};
+  }
+  Eigen::Quaterniond rotation() const { return q; }
+  Eigen::Vector3d translation() const { return t; }
+  double scale() const { return s; }
+  /// Where the camera stands in the world that it takes to it.
+  Eigen::Vector3d center() const { return inverse().t; }
+
+  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  double s = 1.0;
+};
+
+}  // namespace g2o
+
+namespace ORB_SLAM3 {
+
+struct MapPoint {
+  bool bad = false;
+  bool isBad() const { return bad; }
+};
+
+struct KeyFrame {
+  bool bad = false, kept = false;
+  Sophus::SE3f T_world_camera;
+  g2o::Sim3 S_camera_other;  ///< the truth: the other map's world to this camera, in its own unit
+  std::vector<MapPoint*> points;
+
+  bool isBad() const { return bad; }
+  void SetNotErase() { kept = true; }
+  Sophus::SE3f GetPoseInverse() const { return T_world_camera; }
+  std::vector<MapPoint*> GetMapPointMatches() const { return points; }
+  std::vector<KeyFrame*> GetBestCovisibilityKeyFrames(int) const { return {}; }
+};
+
+struct Frame {
+  int N = 0;
+  std::vector<MapPoint*> mvpMapPoints;
+  std::vector<bool> mvbOutlier;
+  Sophus::SE3f pose;
+
+  void SetPose(const Sophus::SE3f& Tcw) { pose = Tcw; }
+};
+
+/// A camera that is 1 cm off projects 2 px off.
+struct ORBmatcher {
+  ORBmatcher(float, bool) {}
+
+  void SearchByProjection(Frame& frame, KeyFrame* key_frame, const std::set<MapPoint*>&, float,
+                          int) {
+    const std::size_t count = std::min(frame.mvpMapPoints.size(), key_frame->points.size());
+    std::copy_n(key_frame->points.begin(), count, frame.mvpMapPoints.begin());
+  }
+  int SearchByProjection(KeyFrame* key_frame, Sophus::Sim3f& Scw,
+                         const std::vector<MapPoint*>& points, std::vector<MapPoint*>& matches,
+                         int window, float) {
+    const Eigen::Vector3f center = -(Scw.q.conjugate() * Scw.t) / Scw.s;
+    const double off = (center.cast<double>() - key_frame->S_camera_other.center()).norm();
+    if (200.0 * off > window) return 0;
+    const std::size_t count = std::min(points.size(), matches.size());
+    std::copy_n(points.begin(), count, matches.begin());
+    return static_cast<int>(count);
+  }
+};
+
+struct Optimizer {
+  static int PoseOptimization(Frame* frame) { return frame->N; }
+
+  /// Finds the truth from a scale that is a tenth off, and from no other.
+  static int OptimizeSim3(KeyFrame* key_frame, KeyFrame* other, std::vector<MapPoint*>& matches,
+                          g2o::Sim3& S, float, bool fixed_scale, Eigen::Matrix<double, 7, 7>&,
+                          bool) {
+    const Sophus::SE3d T = other->T_world_camera.cast<double>();
+    const g2o::Sim3 truth = key_frame->S_camera_other * g2o::Sim3(T.q, T.t, 1.0);
+    if (S.s < 0.9 * truth.s || S.s > 1.1 * truth.s) return 0;
+    if (fixed_scale && S.s != 1.0) return 0;
+    S = truth;
+    return static_cast<int>(matches.size() - static_cast<std::size_t>(std::count(
+                                                 matches.begin(), matches.end(), nullptr)));
+  }
+};
+
+/// Finds no pose. Its destructor is declared and not defined, as the host's.
+struct MLPnPsolver {
+  MLPnPsolver(const Frame&, const std::vector<MapPoint*>&) {}
+  ~MLPnPsolver();
+  void SetRansacParameters(double, int, int, int, float, float) {}
+  bool iterate(int, bool&, std::vector<bool>&, int&, Eigen::Matrix4f&) { return false; }
+};
+
+}  // namespace ORB_SLAM3
