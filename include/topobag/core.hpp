@@ -100,6 +100,7 @@
 #include <topobag/recognition/explain.hpp>
 #include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/false_scores.hpp>
+#include <topobag/recognition/learn_map_appearance.hpp>
 #include <topobag/recognition/locate_by_bearings.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/recognition/map_alignment.hpp>
