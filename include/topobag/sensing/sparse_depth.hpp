@@ -65,9 +65,9 @@ class SparseDepth {
 /// points within two clusters' widths of it: what a few points of noisy depth leave open. Its floor
 /// is `NodeNoise`, beside which it stands: many points average their noise, but not what they have
 /// in common, a baseline, a pose, the object's own depth. Of made-up points (a test) with noise of
-/// up to 6 % of the depth, which one cluster holds, six and more give a depth whose squared error is
-/// 1.3 times the node's variance at most, three 3.3 times; by `NodeNoise` alone it is 4.1 and 8.7
-/// times. Of noisier points the nearest cluster's median lies before the object's: widen
+/// up to 6 % of the depth, which one cluster holds, six and more give a depth whose squared error
+/// is 1.3 times the node's variance at most, three 3.3 times; by `NodeNoise` alone it is 4.1
+/// and 8.7 times. Of noisier points the nearest cluster's median lies before the object's: widen
 /// `cluster_width`.
 struct SparseBoxDepth {
   double central_share = 0.8;  ///< share of the box's width and height whose points count
