@@ -57,10 +57,11 @@ if [ -n "$data" ]; then
 fi
 section "Matching" \
   "Two graphs of real key frames, the surest objects of each, every query of fr1_rpy with every key frame of fr1_xyz: the consistency search
-with its pose, and the paper's padded cosine beside its plain formula." \
+with its pose, with what objects look like and without, and the paper's padded cosine beside its plain formula. Looks should cost 1.2 times at most." \
   build/benchmarks/bench_matching
 section "A key frame in the front end" \
-  "Lifting, fusing, looking up and adding, detector aside; and a lost tracker's queries." \
+  "Lifting, fusing, looking up and adding, detector aside; and a lost tracker's queries. Then what an object's colours cost: boxes of 100 × 100 px
+of an image of 640 × 480, whose mean colour comes once; a box should take 20 µs at most." \
   build/benchmarks/bench_frontend
 section "Retrieval and memory" \
   "The exact best ten, of a bag that grows; bytes are those of an encoded graph with its index. The answers are those of brute force, which

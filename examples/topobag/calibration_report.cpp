@@ -17,6 +17,7 @@ Json calibration_json(const CalibratedRun& calibrated) {
           {"queries", calibration.queries()},
           {"certain_negatives", calibration.negatives()},
           {"repeats", carry_over.repeats},
+          {"learnt_looks", calibration.appearance().has_value()},
           {"warning", carry_over ? Json() : Json(carry_over.reason)}};
 }
 
@@ -29,6 +30,7 @@ std::string calibration_lines(const CalibratedRun& calibrated) {
       << calibrated.false_accept_rate << (threshold.extrapolated ? ", extrapolated" : "")
       << " from " << calibration.queries() << " queries (" << to_string(calibration.source())
       << ")\n";
+  if (!calibrated.looks.empty()) out << "  looks         " << calibrated.looks << '\n';
   const topobag::CarryOver carry_over = calibration.carries_over();
   if (!carry_over) out << "  warning       " << carry_over.reason << '\n';
   return out.str();

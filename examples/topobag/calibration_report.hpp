@@ -11,7 +11,8 @@ namespace program {
 /// What a calibrated decision rests on, for machines.
 Json calibration_json(const CalibratedRun& calibrated);
 
-/// The same for a reader: a line, and another one where it may not hold elsewhere.
+/// The same for a reader: a line, one on looks where they were to be learnt, and one where it may
+/// not hold elsewhere.
 std::string calibration_lines(const CalibratedRun& calibrated);
 
 }  // namespace program

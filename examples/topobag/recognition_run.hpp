@@ -58,6 +58,7 @@ struct QueryRecord {
 struct CalibratedRun {
   double false_accept_rate = 0.0;
   topobag::Calibration calibration{};
+  std::string looks{};  ///< by what they are judged, in words; empty where there are none to learn
 };
 
 /// Key frames looked up in a map.

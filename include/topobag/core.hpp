@@ -100,6 +100,7 @@
 #include <topobag/recognition/explain.hpp>
 #include <topobag/recognition/explanation.hpp>
 #include <topobag/recognition/false_scores.hpp>
+#include <topobag/recognition/learn_map_appearance.hpp>
 #include <topobag/recognition/locate_by_bearings.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/recognition/map_alignment.hpp>
@@ -115,6 +116,7 @@
 #include <topobag/recognition/verify_candidates.hpp>
 #include <topobag/recognition/why.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
+#include <topobag/sensing/depth_estimate.hpp>
 #include <topobag/sensing/depth_grid.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
 #include <topobag/sensing/depth_view.hpp>
@@ -124,6 +126,8 @@
 #include <topobag/sensing/image_view.hpp>
 #include <topobag/sensing/lift_clusters.hpp>
 #include <topobag/sensing/lift_detections.hpp>
+#include <topobag/sensing/lift_options.hpp>
+#include <topobag/sensing/lifted_nodes.hpp>
 #include <topobag/sensing/node_noise.hpp>
 #include <topobag/sensing/non_maximum_suppression.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>

@@ -154,7 +154,7 @@ TEST_CASE("what is no calibration is refused with the line", "[recognition]") {
   };
   says("", 1, "no calibration");
   says("idx,timestamp\n", 1, "no calibration");
-  says(changed("calibration 1", "calibration 3"), 1, "later than this library's");
+  says(changed("calibration 1", "calibration 4"), 1, "later than this library's");
   says(changed("calibration 1", "calibration 0"), 1, "no such version");
   says(changed("calibration 1", "calibration 2"), 14, "'appearance_kind' and its value");
   says(changed("calibration 1", "calibration one"), 1, "not a number");
@@ -217,4 +217,25 @@ TEST_CASE("what looks say is saved with the calibration", "[recognition][appeara
   model.table.push_back({0.8, 0.2});
   CHECK_THROWS_AS(calibration.set_appearance(model), InvalidValue);
   CHECK(calibration.appearance()->table.size() == 3);
+}
+
+TEST_CASE("shares of looks other than the usual are saved too", "[recognition][appearance]") {
+  Calibration calibration = drawn_calibration(5);
+  AppearanceModel model;
+  model.furnished_alike = 1.0 / 3.0;
+  calibration.set_appearance(model);
+  const std::string text = to_string(calibration);
+  CHECK(text.find("topobag calibration 3\n") == 0);
+  const Calibration back = parse_calibration(text);
+  REQUIRE(back.appearance());
+  CHECK(back.appearance()->furnished_alike == model.furnished_alike);
+  CHECK(back.appearance()->light_changed == model.light_changed);
+  CHECK(to_string(back) == text);
+  for (const std::string share : {"-0.1", "1.1", "nan"}) {
+    std::string other = text;
+    other.replace(other.find("light_changed 0.03"), 18, "light_changed " + share);
+    CHECK(refused(other).find("must be in [0, 1]") != std::string::npos);
+    model.light_changed = std::stod(share);
+    CHECK_THROWS_AS(calibration.set_appearance(model), InvalidValue);
+  }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,10 @@ struct ForeignBox {
 
 struct RangedBox : ForeignBox {
   double range;
+};
+
+struct NoisyBox : RangedBox {
+  double sigma;
 };
 
 struct WrongLabel {};
@@ -43,6 +48,11 @@ struct topobag::detection_traits<ForeignBox> {
 template <>
 struct topobag::detection_traits<RangedBox> : topobag::detection_traits<ForeignBox> {
   static std::optional<double> depth(const RangedBox& b) { return b.range; }
+};
+
+template <>
+struct topobag::detection_traits<NoisyBox> : topobag::detection_traits<RangedBox> {
+  static double depth_deviation(const NoisyBox& b) { return b.sigma; }
 };
 
 template <>
@@ -92,6 +102,22 @@ TEST_CASE("the library's own detection is handed out without a copy", "[types]")
   CHECK(&detection_traits<Detection>::box(detection) == &detection.box);
   CHECK(detection_traits<Detection>::label(detection) == ClassId{7});
   CHECK(detection_traits<Detection>::confidence(detection) == 0.25);
+}
+
+TEST_CASE("a detection may say how well it knows its depth", "[types]") {
+  NoisyBox seen{};
+  seen.range = 2.0;
+  STATIC_REQUIRE(is_ranged_detection_v<NoisyBox>);
+  for (const double sigma : {0.25, 1e-9}) {
+    seen.sigma = sigma;
+    CHECK(depth_deviation_of(seen) == sigma);
+  }
+  for (const double none : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    seen.sigma = none;
+    CHECK(depth_deviation_of(seen) == 0.0);
+  }
+  CHECK(depth_deviation_of(static_cast<const RangedBox&>(seen)) == 0.0);
+  CHECK(depth_deviation_of(static_cast<const ForeignBox&>(seen)) == 0.0);
 }
 
 TEST_CASE("a label may be handed out by reference", "[types][regression]") {

@@ -73,8 +73,13 @@ struct AppearanceModel {
   }
 
   /// Throws InvalidValue unless the table is finite, its similarities rise and its odds do not
-  /// fall.
+  /// fall, and the shares are in [0, 1].
   void validate() const {
+    for (const double share : {furnished_alike, light_changed}) {
+      if (!(share >= 0.0 && share <= 1.0)) {
+        throw InvalidValue("a share of places or revisits that looks tell of must be in [0, 1]");
+      }
+    }
     for (std::size_t i = 0; i < table.size(); ++i) {
       const bool rises = i == 0 || (table[i].similarity > table[i - 1].similarity &&
                                     table[i].log10_odds >= table[i - 1].log10_odds);

@@ -132,14 +132,16 @@ class Calibration {
     return answer;
   }
 
-  /// Keeps what looks say, as learnt with the rest (`AppearanceCounts::model`). Throws as its
+  /// Keeps what looks say, with which the scores were made (`CalibrateOptions::appearance`).
+  /// Recognition judges looks by it from then on, whatever `MatchOptions::chance` says
+  /// (`appearance_model`), and refuses a map whose looks are of another kind. Throws as its
   /// `validate`.
   void set_appearance(AppearanceModel model) {
     model.validate();
     appearance_ = std::move(model);
   }
 
-  /// What looks say, for `MatchOptions::chance`; nothing where that was not learnt.
+  /// What looks say; nothing where that was not learnt.
   const std::optional<AppearanceModel>& appearance() const noexcept { return appearance_; }
 
   /// What it was made with.

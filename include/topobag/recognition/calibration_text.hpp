@@ -18,7 +18,8 @@ inline namespace v0 {
 
 namespace detail {
 
-inline constexpr std::size_t calibration_version = 2;  // the latest; 1 has no appearance
+inline constexpr std::size_t calibration_version = 3;  // the latest; 1 has no appearance, 2 none
+                                                       // of shares other than the defaults
 
 inline void append_scores(std::string& text, const std::string& key, const FalseScores& scores) {
   text += key + "_look_ups " + exact_text(scores.size()) + '\n';
@@ -38,16 +39,31 @@ inline FalseScores read_scores(ValueLines& lines, const std::string& key) {
   }
 }
 
-inline void append_appearance(std::string& text, const AppearanceModel& model) {
+/// The least version that holds the calibration.
+inline std::size_t least_calibration_version(const Calibration& calibration) {
+  if (!calibration.appearance()) return 1;
+  const AppearanceModel usual;
+  const bool usual_shares = calibration.appearance()->furnished_alike == usual.furnished_alike &&
+                            calibration.appearance()->light_changed == usual.light_changed;
+  return usual_shares ? 2 : 3;
+}
+
+/// @param version  of the text
+inline void append_appearance(std::string& text, const AppearanceModel& model,
+                              std::size_t version) {
   text += "appearance_kind " + exact_text(model.kind.number()) + '\n';
   text += "appearance_length " + exact_text(model.kind.length()) + '\n';
   text += "appearance_points " + exact_text(model.table.size()) + '\n';
   for (const AppearanceOdds& point : model.table) {
     text += exact_text(point.similarity) + '\n' + exact_text(point.log10_odds) + '\n';
   }
+  if (version < 3) return;
+  text += "furnished_alike " + exact_text(model.furnished_alike) + '\n';
+  text += "light_changed " + exact_text(model.light_changed) + '\n';
 }
 
-inline AppearanceModel read_appearance(ValueLines& lines) {
+/// @param version  of the text
+inline AppearanceModel read_appearance(ValueLines& lines, std::size_t version) {
   const auto kind = lines.number<std::uint32_t>(lines.behind("appearance_kind"));
   const auto length = lines.number<std::size_t>(lines.behind("appearance_length"));
   const auto count = lines.number<std::size_t>(lines.behind("appearance_points"));
@@ -56,6 +72,10 @@ inline AppearanceModel read_appearance(ValueLines& lines) {
   while (model.table.size() < count) {  // not reserved: the count is a claim
     const auto similarity = lines.number<double>(lines.next());
     model.table.push_back({similarity, lines.number<double>(lines.next())});
+  }
+  if (version >= 3) {
+    model.furnished_alike = lines.number<double>(lines.behind("furnished_alike"));
+    model.light_changed = lines.number<double>(lines.behind("light_changed"));
   }
   try {
     model.kind = AppearanceKind(kind, length);
@@ -73,8 +93,8 @@ inline AppearanceModel read_appearance(ValueLines& lines) {
 /// `parse_calibration` turns it back into the same one, to the last bit; no locale has a say. O(n).
 inline std::string to_string(const Calibration& calibration) {
   const CalibrationOptions& options = calibration.options();
-  std::string text =
-      calibration.appearance() ? "topobag calibration 2\n" : "topobag calibration 1\n";
+  const std::size_t version = detail::least_calibration_version(calibration);
+  std::string text = "topobag calibration " + detail::exact_text(version) + '\n';
   text += "source " + std::string(to_string(calibration.source())) + '\n';
   text += "min_negatives " + detail::exact_text(options.min_negatives) + '\n';
   text += "prior " + detail::exact_text(options.prior) + '\n';
@@ -82,7 +102,7 @@ inline std::string to_string(const Calibration& calibration) {
   text += "repeats " + detail::exact_text(calibration.repeats()) + '\n';
   detail::append_scores(text, "negative", calibration.negative_scores());
   detail::append_scores(text, "null", calibration.null_scores());
-  if (calibration.appearance()) detail::append_appearance(text, *calibration.appearance());
+  if (calibration.appearance()) detail::append_appearance(text, *calibration.appearance(), version);
   return text + "end\n";
 }
 
@@ -101,7 +121,7 @@ inline Calibration parse_calibration(std::string_view text) {
   FalseScores negatives = detail::read_scores(lines, "negative");
   FalseScores null = detail::read_scores(lines, "null");
   std::optional<AppearanceModel> appearance;
-  if (version == 2) appearance = detail::read_appearance(lines);
+  if (version >= 2) appearance = detail::read_appearance(lines, version);
   if (lines.next() != "end") lines.fail("'end' is missing.");
   try {
     Calibration calibration(options, std::move(negatives), std::move(null), repeats);

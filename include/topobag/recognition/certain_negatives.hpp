@@ -20,8 +20,10 @@
 namespace topobag {
 inline namespace v0 {
 
-/// Options under which a query shows its score whatever it is, to learn from.
+/// Options under which a query shows its score whatever it is, to learn from. Looks are judged as
+/// before (`appearance_model`).
 inline RecognitionOptions without_threshold(RecognitionOptions options) {
+  options.matching.chance.appearance = AppearanceModel(appearance_model(options));
   options.decision.calibration.reset();
   options.decision.min_score = -1e6;
   options.place.min_score = -1e6;

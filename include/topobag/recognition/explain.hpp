@@ -143,7 +143,7 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
         {pair.candidate, pair.query, name(there), name(here),
          points.residual(pose.T_candidate_query).norm(),
          std::sqrt(points.squared_deviation(pose.T_candidate_query)),
-         detail::looks_of(options.matching.chance.appearance, there.appearance, here.appearance)});
+         detail::looks_of(appearance_model(options), there.appearance, here.appearance)});
   }
   for (const MissingObject& missing : pose.missing) {
     const auto& node = (missing.of_candidate ? candidate : query).node(missing.node);

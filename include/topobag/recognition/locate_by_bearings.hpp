@@ -17,6 +17,7 @@
 #include <topobag/graph/bearing.hpp>
 #include <topobag/matching/match_bearings.hpp>
 #include <topobag/matching/ranged_bearings.hpp>
+#include <topobag/recognition/detail/learnt_looks.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
 #include <topobag/recognition/detail/stored_entry.hpp>
@@ -140,7 +141,8 @@ void find_rivals(const Bag& bag, const Graphs& queries, const RecognitionOptions
 /// image's nodes; the pose is in the candidate's camera frame, and its inliers name nodes of that
 /// place. Of key frames at one spot that look the same way, one is asked. Accepted is at most one,
 /// as by `verify_candidates`: the threshold for the same rate of false accepts, the same rivals. A
-/// decision's calibration is left out: it was learnt of matches with depth.
+/// decision's calibration is left out, for it was learnt of matches with depth, but for what it
+/// says of looks (`appearance_model`).
 ///
 /// @param bag  with `for_each`, `find` and `info`; or a bag with a `view()` that has them
 /// Deterministic. O(entries · classes + candidates · (place + triples · pairs)).
@@ -152,6 +154,9 @@ Recognition locate_by_bearings(const Bag& bag, const BearingSighting& query,
                 "topobag: a bag to be asked by bearings has for_each(f) const and size() const, or "
                 "a view() that has.");
   const auto map = detail::present_view(bag, 0);
+  if (detail::learnt_looks(*map, options)) {
+    options.matching.chance.appearance = AppearanceModel(appearance_model(options));
+  }
   options.decision.calibration.reset();
   options.decision.surplus += bearings.surplus;
   Recognition recognition;

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <topobag/bag/query.hpp>
+#include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/match_options.hpp>
 #include <topobag/matching/usual_size_spreads.hpp>
@@ -22,6 +23,14 @@ struct RecognitionOptions {
   PlaceOptions place{};        ///< how they are judged again by all that is around
   DecisionOptions decision{};  ///< when a pose is believed
 };
+
+/// What looks are judged by: what the decision's calibration learnt of them, where it did, for its
+/// scores were made with that; else the matching's own.
+inline const AppearanceModel& appearance_model(const RecognitionOptions& options) noexcept {
+  const auto& calibration = options.decision.calibration;
+  return calibration && calibration->appearance() ? *calibration->appearance()
+                                                  : options.matching.chance.appearance;
+}
 
 /// The defaults for a sensor.
 inline RecognitionOptions recognition_options(const SensorProfile& sensor) {

@@ -57,7 +57,7 @@ class Relocalizer {
   const Bag& map() const noexcept { return map_; }
 
   /// Where in the map the query was taken, and why, or why not. The query is not added.
-  /// Deterministic. O(n · similarity + candidates · matching).
+  /// Deterministic. Throws as `verify_candidates`. O(n · similarity + candidates · matching).
   Recognition localize(const Graph& query) const { return localize(query, options_); }
 
   /// The same with options for this query alone.

@@ -13,6 +13,7 @@
 #include <topobag/bag/query.hpp>
 #include <topobag/fwd.hpp>
 #include <topobag/matching/match_graphs.hpp>
+#include <topobag/recognition/detail/learnt_looks.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
 #include <topobag/recognition/detail/stored_entry.hpp>
@@ -155,13 +156,18 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
 /// of the candidates and 1 to 7 % of the time, that of the largest consistent set less than 1 % of
 /// it.
 ///
+/// A calibration that learnt what looks say is what they are judged by (`appearance_model`); throws
+/// InvalidValue where that is of another kind than the bag's looks.
+///
 /// @param bag         gives the candidates' graphs by `find`, and what is known of them by `info`
 /// @param candidates  from `bag.query`
 /// Deterministic; ties go to the smaller id.
 template <typename Bag, typename Scalar>
 Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query,
                               const std::vector<Candidate>& candidates,
-                              const RecognitionOptions& options = {}) {
+                              const RecognitionOptions& asked_for = {}) {
+  const detail::LearntLooks learnt(bag, asked_for);
+  const RecognitionOptions& options = learnt.options();
   Recognition recognition;
   recognition.usable = query.is_matchable();
   if (!recognition.usable) return recognition;

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <topobag/sensing/depth_estimate.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
 #include <topobag/sensing/depth_view.hpp>
 #include <topobag/sensing/pinhole_camera.hpp>
@@ -15,8 +16,8 @@
 namespace topobag {
 inline namespace v0 {
 
-/// Gives every detection its depth, and keeps its appearance and label weights, so that lifting,
-/// occlusion and the feature mask sample it once.
+/// Gives every detection its depth, with its deviation where the sampling tells one, and keeps its
+/// appearance and label weights, so that lifting, occlusion and the feature mask sample it once.
 ///
 /// @param detections  any range whose elements fit `detection_traits`
 /// @param depth       depth source: `pixel -> optional metres`
@@ -43,11 +44,11 @@ std::vector<RangedDetection> range_detections(const Detections& detections, cons
   for (const auto& detection : detections) {
     BoundingBox box = Traits::box(detection);
     if (box.is_valid() && size_known) box = box.clipped(camera.width, camera.height);
-    std::optional<double> z;
-    if (box.is_valid()) z = sampling(depth, box);
-    ranged.push_back({box, Traits::label(detection), Traits::confidence(detection),
-                      z && std::isfinite(*z) && *z > 0.0 ? *z : 0.0, appearance_of(detection),
-                      label_weights_of(detection)});
+    std::optional<DepthEstimate> found;
+    if (box.is_valid()) found = sampled_depth(sampling, depth, box);
+    if (!found || !std::isfinite(found->z) || !(found->z > 0.0)) found = DepthEstimate{};
+    ranged.push_back({box, Traits::label(detection), Traits::confidence(detection), found->z,
+                      appearance_of(detection), label_weights_of(detection), found->deviation});
   }
   return ranged;
 }

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include <topobag/sensing/depth_estimate.hpp>
 #include <topobag/sensing/depth_sampling.hpp>
 #include <topobag/types/bounding_box.hpp>
 
@@ -57,7 +59,16 @@ class SparseDepth {
 };
 
 /// The sampling policy that goes with sparse points: the median of the nearest dense cluster of the
-/// points inside the box. O(points + k log k) for k points in the box.
+/// points inside the box, and its deviation. O(points + k log k) for k points in the box.
+///
+/// The deviation is the standard error of the median, by the median absolute deviation, of the
+/// points within two clusters' widths of it: what a few points of noisy depth leave open. Its floor
+/// is `NodeNoise`, beside which it stands: many points average their noise, but not what they have
+/// in common, a baseline, a pose, the object's own depth. Of made-up points (a test) with noise of
+/// up to 6 % of the depth, which one cluster holds, six and more give a depth whose squared error
+/// is 1.3 times the node's variance at most, three 3.3 times; by `NodeNoise` alone it is 4.1
+/// and 8.7 times. Of noisier points the nearest cluster's median lies before the object's: widen
+/// `cluster_width`.
 struct SparseBoxDepth {
   double central_share = 0.8;  ///< share of the box's width and height whose points count
   std::size_t min_points = 3;  ///< with fewer there is no depth; >= 1
@@ -66,14 +77,36 @@ struct SparseBoxDepth {
       0.5;  ///< nearest cluster with this share (0 to 1) of the largest one's points wins
 
   std::optional<double> operator()(const SparseDepth& depth, const BoundingBox& box) const {
+    return nearest(depths_in(depth, box));
+  }
+
+  /// The same depth, with its deviation.
+  std::optional<DepthEstimate> estimate(const SparseDepth& depth, const BoundingBox& box) const {
+    std::vector<double> depths = depths_in(depth, box);
+    const std::optional<double> z = nearest(depths);
+    if (!z) return std::nullopt;
+    const double reach = 2.0 * std::max(0.05, cluster_width * *z);
+    depths.erase(std::remove_if(depths.begin(), depths.end(),
+                                [&](double other) { return !(std::abs(other - *z) <= reach); }),
+                 depths.end());
+    return DepthEstimate{*z, depths.empty() ? 0.0 : detail::deviation_of_median(std::move(depths))};
+  }
+
+ private:
+  /// Those of the points in the middle of the box, ascending.
+  std::vector<double> depths_in(const SparseDepth& depth, const BoundingBox& box) const {
     const BoundingBox middle =
         box_around(box.center(), box.width() * central_share, box.height() * central_share);
     std::vector<double> depths;
     for (const DepthPoint& point : depth.points()) {
       if (middle.contains(point.pixel)) depths.push_back(point.z);
     }
-    if (depths.empty() || depths.size() < min_points) return std::nullopt;
     std::sort(depths.begin(), depths.end());
+    return depths;
+  }
+
+  std::optional<double> nearest(const std::vector<double>& depths) const {
+    if (depths.empty() || depths.size() < min_points) return std::nullopt;
     return detail::nearest_cluster(depths, cluster_width, min_cluster_share);
   }
 };

@@ -31,6 +31,7 @@ struct Detection {
 /// and, where the front end knows the object's depth already (stereo, map points, a table),
 ///
 ///     static std::optional<double> depth(const T&);   // metres along the optical axis
+///     static double depth_deviation(const T&);        // if told: its σ beside the sensor's noise, m
 ///
 /// and, where it describes what the object looks like (a re-identification network, CLIP),
 ///
@@ -88,6 +89,15 @@ struct is_ranged_detection<
     T, std::enable_if_t<std::is_convertible_v<
            decltype(detection_traits<T>::depth(std::declval<const T&>())), std::optional<double>>>>
     : is_detection<T> {};
+
+template <typename T, typename = void>
+struct tells_depth_deviation : std::false_type {};
+
+template <typename T>
+struct tells_depth_deviation<
+    T, std::enable_if_t<std::is_convertible_v<
+           decltype(detection_traits<T>::depth_deviation(std::declval<const T&>())), double>>>
+    : is_ranged_detection<T> {};
 
 template <typename T, typename = void>
 struct is_described_detection : std::false_type {};
@@ -165,6 +175,17 @@ std::optional<double> depth_of(const T& detection) {
     if (z && std::isfinite(*z) && *z > 0.0) return z;
   }
   return std::nullopt;
+}
+
+/// How far off that depth may be beside the sensor's noise, as one σ, m; 0 where `T` does not tell,
+/// and for a number that is no deviation: not above 0, not finite.
+template <typename T>
+double depth_deviation_of(const T& detection) {
+  if constexpr (detail::tells_depth_deviation<T>::value) {
+    const double deviation = detection_traits<T>::depth_deviation(detection);
+    if (std::isfinite(deviation) && deviation > 0.0) return deviation;
+  }
+  return 0.0;
 }
 
 }  // namespace v0
