@@ -67,6 +67,11 @@ class OrbSlamDatabase {
   /// As `KeyFrameBag::hold_poses_with`: graphs are then fused while the host moves nothing.
   void hold_poses_with(std::mutex& mutex) { bag_.hold_poses_with(mutex); }
 
+  /// By what key frames are found at present.
+  RecognitionOptions options() const { return bag_.options(); }
+  /// From the next query on, from whatever thread: a calibration comes in by this.
+  void set_options(RecognitionOptions recognition) { bag_.set_options(std::move(recognition)); }
+
   /// To be read where a key frame is made, and given to `observe`.
   std::uint64_t epoch() const { return bag_.epoch(); }
 
@@ -191,8 +196,8 @@ class OrbSlamDatabase {
     });
   }
 
-  // ---- Counts
-
+  /// As `KeyFrameBag::copy_of`: what is found in one of the host's maps, to calibrate by.
+  Relocalizer<> copy_of(const Map* map = nullptr) const { return bag_.copy_of(map); }
   /// Key frames that can be found.
   std::size_t size() const { return bag_.size(); }
   /// Calls that ended in an exception, and what the last one said.
@@ -222,10 +227,7 @@ class OrbSlamDatabase {
     if (!graph) return {};
     return guarded_([&] {
       asked.map = map_of(*key_frame);
-      asked.excluded.insert(&*key_frame);
-      for (const auto& other : host_traits<KeyFrame>::neighbors(*key_frame)) {
-        if (other != nullptr) asked.excluded.insert(&*other);
-      }
+      asked.leave_out(*key_frame);
       Places places = bag_.places(*graph, asked);
       const auto is_guess = [](const Place& place) { return !place.verified; };
       places.erase(std::remove_if(places.begin(), places.end(), is_guess), places.end());

@@ -15,7 +15,7 @@ inline namespace v0 {
 struct OrbSlamOptions {
   LocalGraphOptions fusing{};  ///< key frames of `window` s make one graph; 0 = single ones
   /// Retrieval, matching and decision; for loops, merges and re-localization each. A filter of the
-  /// retrieval must not call the data base.
+  /// retrieval must not call the data base, and sees poses as `HostWorlds` has them.
   RecognitionOptions recognition = few_candidates(3);
   std::size_t max_loops = 5;            ///< verified places offered for a loop, and for a merge
   std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
