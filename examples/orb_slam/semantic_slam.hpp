@@ -39,7 +39,8 @@ using Odometry = std::function<std::optional<Eigen::Isometry3d>(double stamp)>;
 
 struct Settings {
   topobag::PinholeCamera<> camera;
-  topobag::OrbSlamOptions database{};
+  topobag::OrbSlamOptions database =
+      topobag::orb_slam_options(topobag::ClassCatalog::coco80());  ///< of another catalog: its own
   topobag::TopologyThreadOptions thread{};
   double lost_window = 0.0;  ///< s of frames of a lost camera that are fused by odometry
   /// Drops the features on dynamic boxes from every frame before it is tracked; needs a detector
