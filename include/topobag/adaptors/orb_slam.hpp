@@ -14,6 +14,7 @@
 #include <topobag/adaptors/orb_slam/call_guard.hpp>
 #include <topobag/adaptors/orb_slam/drop_features.hpp>
 #include <topobag/adaptors/orb_slam/host_key_frame.hpp>
+#include <topobag/adaptors/orb_slam/inertial_gravity.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_bag.hpp>
 #include <topobag/adaptors/orb_slam/lost_sight.hpp>
 #include <topobag/adaptors/orb_slam/orb_slam_options.hpp>
@@ -52,8 +53,8 @@ class OrbSlamDatabase {
   using GraphOfFrame = std::function<LostSight(const Frame&)>;
 
   /// Which way is down in a key frame's camera frame, by what the host knows when the key frame's
-  /// graph is made. Called on whichever thread makes the graph, with no lock of ours held. (A lost
-  /// frame's gravity is a part of its graph.)
+  /// graph is made: `inertial_gravity` is ORB-SLAM3's word. Called on whichever thread makes the
+  /// graph, with no lock of ours held. (A lost frame's gravity is a part of its graph.)
   using GravityOfKeyFrame = GravityOfHost<KeyFrame>;
 
   /// Without `graph_of_frame` lost frames find nothing. Without `gravity_of`, or where it says
@@ -66,7 +67,6 @@ class OrbSlamDatabase {
 
   /// As `KeyFrameBag::hold_poses_with`: graphs are then fused while the host moves nothing.
   void hold_poses_with(std::mutex& mutex) { bag_.hold_poses_with(mutex); }
-
   /// By what key frames are found at present.
   RecognitionOptions options() const { return bag_.options(); }
   /// From the next query on, from whatever thread: a calibration comes in by this.
