@@ -81,7 +81,8 @@ int main() {
     auto seen = sight_keyframe(frame.mTimeStamp, detect(0.5), camera, catalog);
     return std::optional(make_topology_graph(std::move(seen.nodes), KnnEdges{}));
   };
-  OrbSlamDatabase<host::KeyFrame, host::Frame, host::Map> database({}, graph_of_frame);
+  OrbSlamDatabase<host::KeyFrame, host::Frame, host::Map> database(orb_slam_options(catalog),
+                                                                   graph_of_frame);
 
   // The topology thread: detect, lift, hand on. Its input owns what it needs.
   struct Job {

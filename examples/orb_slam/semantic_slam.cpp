@@ -22,7 +22,9 @@ SemanticSlam::SemanticSlam(const Settings& settings, topobag::ClassCatalog catal
       catalog_(std::move(catalog)),
       detect_(std::move(detect)),
       odometry_(std::move(odometry)),
-      database_(settings.database, [this](const Frame& frame) { return sight_of_lost(frame); }),
+      database_(
+          settings.database, [this](const Frame& frame) { return sight_of_lost(frame); },
+          topobag::inertial_gravity<KeyFrame>),
       thread_([this](const Job& job) { work(job); }, settings.thread,
               [this](const Job& job, const std::string& why) {
                 if (!job.id) return;

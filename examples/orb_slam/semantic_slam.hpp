@@ -41,7 +41,8 @@ using Odometry = std::function<std::optional<Eigen::Isometry3d>(double stamp)>;
 
 struct Settings {
   topobag::PinholeCamera<> camera;
-  topobag::OrbSlamOptions database{};
+  topobag::OrbSlamOptions database =
+      topobag::orb_slam_options(topobag::ClassCatalog::coco80());  ///< of another catalog: its own
   topobag::TopologyThreadOptions thread{};
   double lost_window = 0.0;  ///< s of frames of a lost camera that are fused by odometry
   /// A monocular host: it knows the depths of its key frames' map points alone, in its own unit.

@@ -60,6 +60,12 @@ void race(std::chrono::milliseconds duration) {
         database.erase(culled);
       }
       if (random() % 20 == 0) database.refresh();
+      if (random() % 10 == 0) {
+        RecognitionOptions options = database.options();
+        options.retrieval.max_results = 2 + random() % 3;
+        database.set_options(options);
+        CHECK(database.copy_of().map().size() <= database.size());  // it alone adds
+      }
       current->SetPoseInverse(random_camera(random));
     }
   });

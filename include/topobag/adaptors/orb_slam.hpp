@@ -14,6 +14,7 @@
 #include <topobag/adaptors/orb_slam/call_guard.hpp>
 #include <topobag/adaptors/orb_slam/drop_features.hpp>
 #include <topobag/adaptors/orb_slam/host_key_frame.hpp>
+#include <topobag/adaptors/orb_slam/inertial_gravity.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_bag.hpp>
 #include <topobag/adaptors/orb_slam/lost_sight.hpp>
 #include <topobag/adaptors/orb_slam/orb_slam_options.hpp>
@@ -52,8 +53,8 @@ class OrbSlamDatabase {
   using GraphOfFrame = std::function<LostSight(const Frame&)>;
 
   /// Which way is down in a key frame's camera frame, by what the host knows when the key frame's
-  /// graph is made. Called on whichever thread makes the graph, with no lock of ours held. (A lost
-  /// frame's gravity is a part of its graph.)
+  /// graph is made: `inertial_gravity` is ORB-SLAM3's word. Called on whichever thread makes the
+  /// graph, with no lock of ours held. (A lost frame's gravity is a part of its graph.)
   using GravityOfKeyFrame = GravityOfHost<KeyFrame>;
 
   /// Without `graph_of_frame` lost frames find nothing. Without `gravity_of`, or where it says
@@ -66,6 +67,10 @@ class OrbSlamDatabase {
 
   /// As `KeyFrameBag::hold_poses_with`: graphs are then fused while the host moves nothing.
   void hold_poses_with(std::mutex& mutex) { bag_.hold_poses_with(mutex); }
+  /// By what key frames are found at present.
+  RecognitionOptions options() const { return bag_.options(); }
+  /// From the next query on, from whatever thread: a calibration comes in by this.
+  void set_options(RecognitionOptions recognition) { bag_.set_options(std::move(recognition)); }
 
   /// To be read where a key frame is made, and given to `observe`.
   std::uint64_t epoch() const { return bag_.epoch(); }
@@ -191,8 +196,8 @@ class OrbSlamDatabase {
     });
   }
 
-  // ---- Counts
-
+  /// As `KeyFrameBag::copy_of`: what is found in one of the host's maps, to calibrate by.
+  Relocalizer<> copy_of(const Map* map = nullptr) const { return bag_.copy_of(map); }
   /// Key frames that can be found.
   std::size_t size() const { return bag_.size(); }
   /// Calls that ended in an exception, and what the last one said.
@@ -222,10 +227,7 @@ class OrbSlamDatabase {
     if (!graph) return {};
     return guarded_([&] {
       asked.map = map_of(*key_frame);
-      asked.excluded.insert(&*key_frame);
-      for (const auto& other : host_traits<KeyFrame>::neighbors(*key_frame)) {
-        if (other != nullptr) asked.excluded.insert(&*other);
-      }
+      asked.leave_out(*key_frame);
       Places places = bag_.places(*graph, asked);
       const auto is_guess = [](const Place& place) { return !place.verified; };
       places.erase(std::remove_if(places.begin(), places.end(), is_guess), places.end());

@@ -16,6 +16,10 @@ namespace topobag {
 inline namespace v0 {
 
 /// What is known of a key frame beside its graph. All of it is optional.
+///
+/// The poses of a bag are of one world: they are compared with each other, whatever the sessions
+/// and labels. Entries of another world come in by `MergeOptions::T_world_other`; where that is not
+/// known, without a pose, or moved as a whole to where none of the others' reaches (`HostWorlds`).
 struct EntryInfo {
   std::optional<double> stamp;                      ///< s
   std::uint32_t session = 0;                        ///< which run of the robot

@@ -21,7 +21,8 @@ inline namespace v0 {
 struct MergeOptions {
   std::uint32_t session_offset = 0;  ///< added to their sessions
   std::optional<Eigen::Isometry3d>
-      T_world_other;   ///< from the other map's world to this one's; moves their poses when set
+      T_world_other;   ///< from the other map's world to this one's; moves their poses when set.
+                       ///< Without it the two worlds are taken for one
   double scale = 1.0;  ///< units of this map in one of the other's: graphs and poses are scaled
 
   /// Throws InvalidValue when `T_world_other` is no rigid motion, or `scale` not positive.

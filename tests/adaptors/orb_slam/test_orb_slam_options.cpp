@@ -14,6 +14,23 @@ TEST_CASE("few candidates change nothing but their number", "[adaptors]") {
   CHECK(OrbSlamOptions{}.recognition.retrieval.max_results < usual.retrieval.max_results);
 }
 
+TEST_CASE("with a catalog, its look-alikes and sizes are known, and few candidates matched",
+          "[adaptors]") {
+  const ClassCatalog catalog = ClassCatalog::coco80();
+  const OrbSlamOptions options = orb_slam_options(catalog);
+  const auto& classes = options.recognition.matching.consistency.classes;
+  const ClassId tv = catalog.at("tv"), laptop = catalog.at("laptop");
+  CHECK(classes.group(tv) == classes.group(laptop));
+  CHECK(classes.group(tv) != classes.group(catalog.at("cup")));
+  CHECK_FALSE(options.recognition.matching.chance.sizes.classes.empty());
+  const OrbSlamOptions usual;
+  CHECK(options.recognition.retrieval.max_results == usual.recognition.retrieval.max_results);
+  CHECK(options.fusing.window == usual.fusing.window);
+  const OrbSlamOptions outdoors = orb_slam_options(catalog, SensorProfile::lidar());
+  CHECK(outdoors.fusing.max_depth == SensorProfile::lidar().detection_range);
+  CHECK(outdoors.recognition.place.radius == SensorProfile::lidar().place_radius);
+}
+
 TEST_CASE("loops are older than the gap that is asked for, to the second", "[adaptors]") {
   for (const double gap : {5.0, 20.0}) {
     OrbSlamOptions options = atlas_host::single_frames();

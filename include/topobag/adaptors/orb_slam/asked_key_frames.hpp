@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <topobag/adaptors/orb_slam/host_maps.hpp>
+#include <topobag/adaptors/orb_slam/host_traits.hpp>
 #include <topobag/bag/entry_filter.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 
@@ -29,6 +30,14 @@ struct AskedKeyFrames {
   std::optional<PresentVisit> not_of{};  ///< nor are those of the present visit
   AskedMaps maps = AskedMaps::all;       ///< with several maps: those of which
   const void* map = nullptr;             ///< "this one"; places in another one are marked
+
+  /// That key frame and its covisible ones may not be found. Calls the host.
+  void leave_out(KeyFrame& key_frame) {
+    excluded.insert(&key_frame);
+    for (const auto& other : host_traits<KeyFrame>::neighbors(key_frame)) {
+      if (other != nullptr) excluded.insert(&*other);
+    }
+  }
 
   /// Whether the key frame may be found, its stamp aside. Calls the host.
   bool contains(KeyFrame& key_frame) const {

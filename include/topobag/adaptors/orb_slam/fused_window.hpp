@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/adaptors/orb_slam/host_worlds.hpp>
 #include <topobag/graph/gravity.hpp>
 
 namespace topobag {
@@ -24,11 +25,17 @@ struct StaleTolerance {
 /// of. A world that moves as a whole changes nothing of it.
 class FusedWindow {
  public:
+  /// Of no key frames yet, of one of the host's maps.
+  explicit FusedWindow(const void* map = nullptr) : map_(map) {}
+
   /// The next key frame, the graph's own at the end.
   void add(std::uint64_t id, const Eigen::Isometry3d& T_world_camera,
            const std::optional<Gravity<>>& gravity) {
     members_.push_back({id, T_world_camera, gravity});
   }
+
+  /// Where the graph's own key frame stood. Precondition: there is one.
+  HostCamera camera() const { return {map_, members_.back().T_world_camera}; }
 
   /// Whether a graph fused from `now` would be another one: key frames came or went, or one stands
   /// elsewhere to the last one by more than the tolerance. O(key frames).
@@ -63,6 +70,7 @@ class FusedWindow {
     return !(std::atan2(a->down.cross(b->down).norm(), a->down.dot(b->down)) <= tolerance);
   }
 
+  const void* map_;
   std::vector<Member> members_;
 };
 

@@ -15,6 +15,8 @@
 #include <topobag/adaptors/orb_slam/host_state.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_pins.hpp>
 #include <topobag/adaptors/orb_slam/key_frame_register.hpp>
+#include <topobag/adaptors/orb_slam/place.hpp>
+#include <topobag/recognition/recognition.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -23,6 +25,12 @@ inline namespace v0 {
 struct FusedGraph {
   TopologyGraph<> graph;  ///< of its last key frame
   FusedWindow window;     ///< the key frames, where they stood
+};
+
+/// What the host's word of now changes.
+struct HostChanges {
+  std::vector<std::uint64_t> stale;             ///< rising; their graphs are to be made anew
+  std::map<std::uint64_t, HostCamera> cameras;  ///< where the others stand, moved or not
 };
 
 /// The key frames a host has, and the graphs that are fused from what it says of them.
@@ -67,8 +75,8 @@ class HostReader {
   }
 
   /// The sighted key frames whose graph was never made, or would become another one by what the
-  /// host says now; none when the epoch ends meanwhile.
-  std::vector<std::uint64_t> stale(Lock& lock) {
+  /// host says now, and where those stand whose graph remains; none when the epoch ends meanwhile.
+  HostChanges changes(Lock& lock) {
     const std::uint64_t epoch = known_.epoch();
     auto all = known_.key_frames();
     std::map<std::uint64_t, HostKeyFrameState> now;
@@ -78,12 +86,17 @@ class HostReader {
     }
     all.clear();
     lock.lock();
-    std::vector<std::uint64_t> ids;
-    if (known_.epoch() != epoch) return ids;
+    HostChanges changes;
+    if (known_.epoch() != epoch) return changes;
     for (const auto& [id, state] : now) {
-      if (!state.is_bad && is_stale(id, now)) ids.push_back(id);
+      if (state.is_bad) continue;
+      if (is_stale(id, now)) {
+        changes.stale.push_back(id);
+      } else if (state.is_readable) {
+        changes.cameras.emplace(id, HostCamera{state.map, state.T_world_camera});
+      }
     }
-    return ids;
+    return changes;
   }
 
   /// The graph of a sighted key frame, registered or not, from those of its map; nothing when it is
@@ -114,6 +127,23 @@ class HostReader {
       lock.lock();
     }
     return FusedGraph{fuse_sightings(posed, fusing_), std::move(window)};
+  }
+
+  /// Every pose that candidates offer which are not bad, from where the host has them now; the lock
+  /// is not held afterwards. Precondition: they are registered.
+  /// @param map  places in another one are marked; null = whatever map
+  std::vector<OrbSlamPlace<KeyFrame>> places(const Recognition& recognition, const void* map,
+                                             Lock& lock) {
+    std::vector<std::pair<const CandidateReport*, Pointer>> found;
+    for (const CandidateReport& report : recognition.candidates) {
+      if (report.pose) found.emplace_back(&report, known_.key_frame(value(report.id)));
+    }
+    const KeyFramePins::Scope pinned(pins_, lock);
+    std::vector<OrbSlamPlace<KeyFrame>> places;
+    for (const auto& [report, key_frame] : found) {
+      if (!is_bad(*key_frame)) detail::append_places(*report, key_frame, map, places);
+    }
+    return places;
   }
 
   /// The key frame's graph was made from this.

@@ -59,6 +59,7 @@ void read_window(const std::vector<SightedKeyFrame<KeyFrame>>& members,
                  FusedWindow& window) {
   KeyFrame& own = *members.back().key_frame;
   const void* const map = map_of(own);
+  window = FusedWindow(map);
   for (const SightedKeyFrame<KeyFrame>& member : members) {
     KeyFrame& key_frame = *member.key_frame;
     if (&key_frame != &own && (is_bad(key_frame) || map_of(key_frame) != map)) continue;

@@ -15,12 +15,11 @@
 
 #include <topobag/adaptors/orb_slam/asked_key_frames.hpp>
 #include <topobag/adaptors/orb_slam/call_guard.hpp>
+#include <topobag/adaptors/orb_slam/host_entries.hpp>
 #include <topobag/adaptors/orb_slam/host_reader.hpp>
-#include <topobag/adaptors/orb_slam/lost_sight.hpp>
 #include <topobag/adaptors/orb_slam/place.hpp>
 #include <topobag/bag/savable_graph.hpp>
 #include <topobag/error.hpp>
-#include <topobag/recognition/relocalizer.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -46,22 +45,33 @@ class KeyFrameBag {
   /// Empty, in the first epoch. Without `gravity_of` a sighting's own gravity is all that is known.
   KeyFrameBag(const LocalGraphOptions& fusing, const RecognitionOptions& recognition,
               GravityOf gravity_of = {}, const StaleTolerance& stale = {})
-      : host_(fusing, std::move(gravity_of), stale), relocalizer_(recognition) {}
+      : host_(fusing, std::move(gravity_of), stale), entries_(recognition) {}
 
   /// The host's lock of its one map, for hosts whose key frames do not lead to it. Before anything
   /// else is called; it outlives the bag.
   void hold_poses_with(std::mutex& mutex) { host_.hold_poses_with(mutex); }
 
+  /// By what key frames are found at present.
+  RecognitionOptions options() const {
+    return locked([&] { return entries_.relocalizer().options(); });
+  }
+  /// From the next query on.
+  void set_options(RecognitionOptions to) {
+    locked([&] { entries_.set_options(std::move(to)); });
+  }
+  /// As `HostEntries::copy_of`. Whoever asks the bag waits meanwhile.
+  Relocalizer<> copy_of(const void* map) const {
+    return locked([&] { return entries_.copy_of(map); });
+  }
+
   /// Goes up with every `clear`.
   std::uint64_t epoch() const {
-    const Lock lock(mutex_);
-    return host_.known().epoch();
+    return locked([&] { return host_.known().epoch(); });
   }
 
   /// Key frames that can be found.
   std::size_t size() const {
-    const Lock lock(mutex_);
-    return relocalizer_.map().size();
+    return locked([&] { return entries_.size(); });
   }
 
   /// What was seen in a key frame of an epoch; false when it was culled or the map reset meanwhile.
@@ -88,14 +98,12 @@ class KeyFrameBag {
 
   /// What was seen in the key frames that are there, to be saved.
   std::vector<SavedSighting> sightings() const {
-    const Lock lock(mutex_);
-    return host_.known().sightings();
+    return locked([&] { return host_.known().sightings(); });
   }
 
   /// The greatest session that was observed; the present one is 0.
   std::uint32_t last_session() const {
-    const Lock lock(mutex_);
-    return host_.known().last_session();
+    return locked([&] { return host_.known().last_session(); });
   }
 
   /// Nothing will be seen in a key frame of an epoch: the detector failed, or its queue gave it up.
@@ -139,7 +147,7 @@ class KeyFrameBag {
   void clear() {
     Lock lock(mutex_);
     host_.clear();
-    relocalizer_.map().clear();
+    entries_.clear();
     sighted_.notify_all();  // what they wait for does not come any more
     host_.pins().wait_for_older(lock);
   }
@@ -147,22 +155,21 @@ class KeyFrameBag {
   /// Makes every graph anew with the host's poses of now. Throws the first error, when the others
   /// are made; a graph that cannot be made stays as it was.
   void refresh() {
-    Lock lock(mutex_);
-    const std::vector<std::uint64_t> all = host_.known().ids();
-    lock.unlock();
-    make_entries(all);
+    make_entries(locked([&] { return host_.known().ids(); }));
   }
 
   /// Makes those graphs anew whose key frames moved against each other, were culled or came to
   /// another map since: after a loop, a merge, a change of scale, whether the host tells of it or
-  /// not; what was seen stays in its unit (`fuse_sightings`). Returns how many; throws as `refresh`.
-  /// Some µs for each of the n key frames, and their fusing for those that changed.
+  /// not; what was seen stays in its unit (`fuse_sightings`). Moves the others. Returns how many
+  /// graphs are new; throws as `refresh`. Some µs for each of the n key frames, and their fusing for
+  /// those that changed.
   std::size_t refresh_changed() {
     Lock lock(mutex_);
-    const std::vector<std::uint64_t> changed = host_.stale(lock);
+    const HostChanges changes = host_.changes(lock);
+    entries_.move(changes.cameras);
     lock.unlock();
-    make_entries(changed);
-    return changed.size();
+    make_entries(changes.stale);
+    return changes.stale.size();
   }
 
   /// The graph of a key frame that the caller keeps alive, added or not; nothing when its sighting
@@ -190,17 +197,9 @@ class KeyFrameBag {
     const std::vector<std::uint64_t> among =
         host_.those_that(lock, [&](KeyFrame& key_frame) { return asked.contains(key_frame); });
     if (host_.known().epoch() != epoch) return {};
-    const Recognition recognition = detail::located(
-        relocalizer_, query, detail::options_among(relocalizer_.options(), among, asked));
-    std::vector<std::pair<const CandidateReport*, Pointer>> found;
-    for (const CandidateReport& report : recognition.candidates) {
-      if (report.pose) found.emplace_back(&report, host_.known().key_frame(value(report.id)));
-    }
-    const KeyFramePins::Scope pinned(host_.pins(), lock);
-    Places places;
-    for (const auto& [report, key_frame] : found) {
-      if (!is_bad(*key_frame)) detail::append_places(*report, key_frame, asked.map, places);
-    }
+    const Recognition recognition = entries_.localize(
+        query, detail::options_among(entries_.relocalizer().options(), among, asked));
+    Places places = host_.places(recognition, asked.map, lock);
     for (auto& place : places) place.by_bearings = std::is_same_v<Query, BearingSighting>;
     return detail::best_first(places);
   }
@@ -210,7 +209,13 @@ class KeyFrameBag {
 
   void forget(std::uint64_t id) {
     host_.erase(id);
-    relocalizer_.map().erase(KeyframeId{id});
+    entries_.erase(id);
+  }
+
+  template <typename F>
+  auto locked(F f) const {
+    const Lock lock(mutex_);
+    return f();
   }
 
   void make_entries(const std::vector<std::uint64_t>& ids) {
@@ -220,29 +225,25 @@ class KeyFrameBag {
   /// Puts a key frame into the bag, or its graph anew, once its pointer and its sighting are there.
   void make_entry(std::uint64_t id) {
     Lock lock(mutex_);
-    const std::uint64_t epoch = host_.known().epoch();
-    const Pointer key_frame = host_.known().key_frame(id);
-    if (key_frame == nullptr || !host_.known().is_sighted(id)) return;
+    const auto& known = host_.known();
+    const std::uint64_t epoch = known.epoch();
+    const Pointer key_frame = known.key_frame(id);
+    if (key_frame == nullptr || !known.is_sighted(id)) return;
     EntryInfo info;
-    info.stamp = host_.known().stamp_of(id);
-    info.session = host_.known().session_of(id);
-    std::optional<FusedGraph> fused = host_.fuse(id, key_frame, lock);
+    info.stamp = known.stamp_of(id);
+    info.session = known.session_of(id);
+    auto fused = host_.fuse(id, key_frame, lock);
     if (!fused) return;
     lock.lock();
-    if (host_.known().epoch() != epoch || host_.known().key_frame(id) == nullptr) return;
-    auto& bag = relocalizer_.map();
-    if (bag.contains(KeyframeId{id})) {
-      bag.update(KeyframeId{id}, std::move(fused->graph), info);
-    } else if (fused->graph.is_matchable()) {
-      bag.add(KeyframeId{id}, std::move(fused->graph), info);
-    }
+    if (known.epoch() != epoch || known.key_frame(id) == nullptr) return;
+    entries_.put(id, std::move(fused->graph), std::move(info), fused->window.camera());
     host_.keep(id, std::move(fused->window));
   }
 
   mutable std::mutex mutex_;
   std::condition_variable sighted_;
   HostReader<KeyFrame> host_;
-  Relocalizer<> relocalizer_;
+  HostEntries<> entries_;
 };
 
 }  // namespace v0

@@ -7,6 +7,8 @@
 #include <topobag/adaptors/orb_slam/fused_window.hpp>
 #include <topobag/graph/local_graph_options.hpp>
 #include <topobag/recognition/recognition_options.hpp>
+#include <topobag/sensing/sensor_profile.hpp>
+#include <topobag/types/class_catalog.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -14,8 +16,9 @@ inline namespace v0 {
 /// What the adaptor takes of the library, and how much it offers the host.
 struct OrbSlamOptions {
   LocalGraphOptions fusing{};  ///< key frames of `window` s make one graph; 0 = single ones
-  /// Retrieval, matching and decision; for loops, merges and re-localization each. A filter of the
-  /// retrieval must not call the data base.
+  /// Retrieval, matching and decision, which know no classes (`orb_slam_options` does); for loops,
+  /// merges and re-localization each. A filter of the retrieval must not call the data base, and
+  /// sees poses as `HostWorlds` has them.
   RecognitionOptions recognition = few_candidates(3);
   std::size_t max_loops = 5;            ///< verified places offered for a loop, and for a merge
   std::size_t max_relocalizations = 5;  ///< places offered to a lost tracker, guesses among them
@@ -33,6 +36,21 @@ struct OrbSlamOptions {
     return options;
   }
 };
+
+/// The defaults for sightings with the labels of a catalog, as `recognition_options`: classes of it
+/// that detectors mix up may be one object, and sizes differ as they usually do. What every host
+/// should take whose detector's classes have a catalog.
+///
+///     OrbSlamDatabase<KeyFrame, Frame, Map> database(orb_slam_options(ClassCatalog::coco80()));
+inline OrbSlamOptions orb_slam_options(const ClassCatalog& catalog,
+                                       const SensorProfile& sensor = {}) {
+  OrbSlamOptions options;
+  const std::size_t few = options.recognition.retrieval.max_results;
+  options.fusing = local_graph_options(sensor);
+  options.recognition = recognition_options(catalog, sensor);
+  options.recognition.retrieval.max_results = few;
+  return options;
+}
 
 }  // namespace v0
 }  // namespace topobag
