@@ -62,7 +62,9 @@ void bind_recognition(py::module_& module) {
   Attributes(rival, "RivalPlace")
       .attribute("id", &RivalPlace::id)
       .attribute("support", &RivalPlace::support)
-      .attribute("lead", &RivalPlace::lead);
+      .attribute("lead", &RivalPlace::lead)
+      .attribute("T_candidate_query", &RivalPlace::T_candidate_query)
+      .attribute("T_world_query", &RivalPlace::T_world_query);
   py::class_<CandidateReport> report(module, "CandidateReport", doc("CandidateReport"));
   Attributes(report, "CandidateReport")
       .attribute("id", &CandidateReport::id)

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/recognition.hpp>
@@ -131,6 +132,16 @@ inline std::pair<std::string, std::string> told_apart(double a, double b) {
   return {text(a, decimals), text(b, decimals)};
 }
 
+/// Where a rival puts the query: ", with the query at (1.00, 2.00, -0.50) m of the world".
+inline std::string place_text(const RivalPlace& rival) {
+  const Eigen::Vector3d at = rival.T_world_query.value_or(rival.T_candidate_query).translation();
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(2) << ", with the query at (" << at.x() << ", " << at.y()
+      << ", " << at.z() << ") m of " << (rival.T_world_query ? "the world" : "its camera frame");
+  return out.str();
+}
+
 }  // namespace detail
 
 /// In lines, for a log.
@@ -163,7 +174,8 @@ inline std::string to_string(const CandidateExplanation& candidate,
     out << "  the place around it supports the pose with " << *candidate.place_support << '\n';
   }
   if (candidate.rival) {
-    out << "  another place fits about as well: " << name_of(candidate.rival->id) << '\n';
+    out << "  another place fits about as well: " << name_of(candidate.rival->id)
+        << detail::place_text(*candidate.rival) << '\n';
   }
   for (const ExplainedMatch& match : candidate.matched) {
     out << "  matched " << match.candidate_class;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <topobag/bag/place_contents.hpp>
 #include <topobag/matching/refine_pose.hpp>
@@ -21,6 +22,10 @@ struct RivalPlace {
   KeyframeId id{};       ///< a key frame of it
   double support = 0.0;  ///< of its pose, by its graph, and by its place where that was asked
   double lead = 0.0;     ///< over it that was asked for
+  /// Where it puts the query: in the key frame's camera frame, m.
+  Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
+  std::optional<Eigen::Isometry3d> T_world_query{};  ///< the same in the world, where the map knows
+                                                     ///< the key frame's pose in it
 };
 
 /// What became of one candidate.
