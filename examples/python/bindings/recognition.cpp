@@ -77,6 +77,7 @@ void bind_recognition(py::module_& module) {
       .attribute("place_share", &CandidateReport::place_share)
       .attribute("rival", &CandidateReport::rival)
       .attribute("places", &CandidateReport::places)
+      .attribute("with_views", &CandidateReport::with_views)
       .attribute("threshold", &CandidateReport::threshold)
       .attribute("confidence", &CandidateReport::confidence)
       .attribute("complete", &CandidateReport::complete)

@@ -118,8 +118,10 @@ class Calibration {
   /// Whether the map speaks against using this elsewhere: it does when more than `max_repeats` of
   /// the certain negatives reach the score that a decision without calibration asks for, which
   /// chance does about once in a thousand queries. Then layouts repeat in the map, the scores
-  /// learnt are those of its own repetitions, and another place's are others. The null model, which
-  /// knows no repetitions, says nothing here; nor does a map without certain negatives.
+  /// learnt are those of its own repetitions, and another place's are others. Without poses it
+  /// takes a front end that says which key frames are of other places: the null model knows no
+  /// repetitions. Its layouts are strewn anew: of 200 of them 0 to 4 reach that score in warehouses
+  /// where all racks are alike, none in forty rooms of four kinds.
   CarryOver carries_over() const {
     CarryOver answer;
     if (negatives_.size() == 0) return answer;

@@ -45,6 +45,7 @@ struct CandidateReport {
   Eigen::Matrix<double, 6, 1> place_scale_covariance = Eigen::Matrix<double, 6, 1>::Zero();
   std::optional<RivalPlace> rival;   ///< that keeps the pose from being believed
   std::size_t places = 0;            ///< of the map that can hold what was matched
+  bool with_views = true;            ///< of the query or the candidate, which the threshold goes by
   double threshold = 0.0;            ///< the score that was asked for, among these
   std::optional<double> confidence;  ///< P(true), when the decision is calibrated
   bool complete = true;              ///< false when the search ended with its budget

@@ -122,6 +122,7 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
   report.id = candidate.id;
   report.similarity = candidate.similarity;
   report.places = places;
+  report.with_views = with_views;
   report.threshold = threshold(places);
   GraphMatch match = match_known(graph, known, options.matching);
   report.complete = match.complete;
