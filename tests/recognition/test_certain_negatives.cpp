@@ -187,7 +187,7 @@ TEST_CASE("a loop detector learns while it maps, and decides by what it learnt",
     loops.set_options(decided);
     const Recognition loop = loops.detect_and_add(KeyframeId{i}, i, graph, posed(T_world_camera));
     for (const CandidateReport& report : loop.candidates) {
-      CHECK(report.threshold == calibration.threshold(0.05).score);
+      CHECK(report.threshold == calibration.threshold(0.05, loop.places).score);
     }
     if (!loop) continue;
     ++accepted;

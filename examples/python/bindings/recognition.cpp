@@ -24,7 +24,8 @@ void bind_options(py::module_& module) {
       .field("calibration", &DecisionOptions::calibration)
       .field("min_score", &DecisionOptions::min_score)
       .def("threshold", &DecisionOptions::threshold, py::arg("places"),
-           py::arg("with_views") = true, doc("DecisionOptions.threshold"));
+           py::arg("with_views") = true, py::arg("map_places") = 0,
+           doc("DecisionOptions.threshold"));
   Fields<RecognitionOptions>(module, "RecognitionOptions")
       .field("retrieval", &RecognitionOptions::retrieval)
       .field("matching", &RecognitionOptions::matching)

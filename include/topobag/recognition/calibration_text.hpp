@@ -18,7 +18,8 @@ inline namespace v0 {
 
 namespace detail {
 
-inline constexpr std::size_t calibration_version = 2;  // the latest; 1 has no appearance
+// The latest; 1 has no appearance, and up to 2 none says how many places were asked.
+inline constexpr std::size_t calibration_version = 3;
 
 inline void append_scores(std::string& text, const std::string& key, const FalseScores& scores) {
   text += key + "_look_ups " + exact_text(scores.size()) + '\n';
@@ -69,12 +70,14 @@ inline AppearanceModel read_appearance(ValueLines& lines) {
 }  // namespace detail
 
 /// A calibration as text, a value on each line: its version, the least that holds it, what it goes
-/// by, its options, the queries and their scores, and what looks say where that was learnt.
+/// by, its options, the queries and their scores, and, where they are known, the places that were
+/// asked, and what looks say.
 /// `parse_calibration` turns it back into the same one, to the last bit; no locale has a say. O(n).
 inline std::string to_string(const Calibration& calibration) {
   const CalibrationOptions& options = calibration.options();
-  std::string text =
-      calibration.appearance() ? "topobag calibration 2\n" : "topobag calibration 1\n";
+  const AskedPlaces& asked = calibration.asked_places();
+  const int version = asked.queries > 0 ? 3 : calibration.appearance() ? 2 : 1;
+  std::string text = "topobag calibration " + detail::exact_text(version) + '\n';
   text += "source " + std::string(to_string(calibration.source())) + '\n';
   text += "min_negatives " + detail::exact_text(options.min_negatives) + '\n';
   text += "prior " + detail::exact_text(options.prior) + '\n';
@@ -82,6 +85,10 @@ inline std::string to_string(const Calibration& calibration) {
   text += "repeats " + detail::exact_text(calibration.repeats()) + '\n';
   detail::append_scores(text, "negative", calibration.negative_scores());
   detail::append_scores(text, "null", calibration.null_scores());
+  if (version == 3) {
+    text += "places_look_ups " + detail::exact_text(asked.queries) + '\n';
+    text += "places_asked " + detail::exact_text(asked.places) + '\n';
+  }
   if (calibration.appearance()) detail::append_appearance(text, *calibration.appearance());
   return text + "end\n";
 }
@@ -100,8 +107,15 @@ inline Calibration parse_calibration(std::string_view text) {
   const auto repeats = lines.number<std::size_t>(lines.behind("repeats"));
   FalseScores negatives = detail::read_scores(lines, "negative");
   FalseScores null = detail::read_scores(lines, "null");
+  AskedPlaces asked;
+  if (version == 3) {
+    asked.queries = lines.number<std::size_t>(lines.behind("places_look_ups"));
+    asked.places = lines.number<std::size_t>(lines.behind("places_asked"));
+  }
   std::optional<AppearanceModel> appearance;
-  if (version == 2) appearance = detail::read_appearance(lines);
+  if (version == 2 || (version == 3 && lines.next_begins("appearance_kind "))) {
+    appearance = detail::read_appearance(lines);
+  }
   if (lines.next() != "end") lines.fail("'end' is missing.");
   try {
     Calibration calibration(options, std::move(negatives), std::move(null), repeats);
@@ -109,6 +123,7 @@ inline Calibration parse_calibration(std::string_view text) {
       lines.fail("the queries do not make its source '" + source + "'.");
     }
     lines.require_end();
+    calibration.set_asked_places(asked);
     if (appearance) calibration.set_appearance(*appearance);
     return calibration;
   } catch (const InvalidValue& error) {

@@ -130,7 +130,8 @@ inline bool is_beyond_chance(const CandidateReport& report) {
 inline bool add_negative(Calibration& calibration, const Recognition& recognition) {
   if (recognition.candidates.empty()) return false;
   calibration.add_negative(false_score(recognition),
-                           recognition && is_beyond_chance(*recognition.accepted));
+                           recognition && is_beyond_chance(*recognition.accepted),
+                           recognition.places);
   return true;
 }
 
@@ -167,7 +168,7 @@ bool add_negative_by_pose(Calibration& calibration, const Recognition& recogniti
                               beyond_chance = beyond_chance || is_beyond_chance(report);
                             });
   calibration.add_negative(false_score_by_pose(recognition, bag, T_world_query, options),
-                           beyond_chance);
+                           beyond_chance, recognition.places);
   return true;
 }
 

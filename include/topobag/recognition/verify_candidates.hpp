@@ -116,7 +116,7 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
   };
   const bool with_views = !query.views().empty() || !graph.views().empty();
   const auto threshold = [&](std::size_t asked) {
-    return options.decision.threshold(asked, with_views);
+    return options.decision.threshold(asked, with_views, places);
   };
   CandidateReport report;
   report.id = candidate.id;
@@ -183,7 +183,8 @@ Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query
     // A calibration knows the scores of matches with one clear pose, and says nothing of others.
     if (options.decision.calibration && report.place_support &&
         (report.verdict == Verdict::accepted || report.verdict == Verdict::insignificant)) {
-      report.confidence = options.decision.calibration->probability(report.score());
+      report.confidence =
+          options.decision.calibration->probability(report.score(), recognition.places);
     }
   }
   std::sort(reports.begin(), reports.end(), [](const CandidateReport& a, const CandidateReport& b) {
