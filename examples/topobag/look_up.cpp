@@ -129,10 +129,11 @@ topobag::RecognitionOptions decided_options(RecognitionRun& run, const Calibrati
   options.decision.false_accept_rate = request.false_accept_rate;
   run.calibrated.reset();
   if (request.learnt) {
-    run.calibrated = {request.false_accept_rate, *request.learnt};
+    run.calibrated = CalibratedRun{request.false_accept_rate, *request.learnt};
   } else if (request.learn) {
     require_elsewhere(run, request.other_places);
-    run.calibrated = {request.false_accept_rate, learn(run, request.other_places, min_gap)};
+    run.calibrated =
+        CalibratedRun{request.false_accept_rate, learn(run, request.other_places, min_gap)};
   }
   if (run.calibrated) options.decision.calibration = run.calibrated->calibration;
   return options;
@@ -145,6 +146,7 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
   if (leave_out_radius) require_poses(run, "--leave-out-radius");
   topobag::RecognitionOptions options = decided_options(run, request);
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
+  if (run.calibrated) run.calibrated->places = relocalizer.map().places();
   run.records.clear();
   Progress progress(run.queries.size(), "key frames looked up");
   for (const Keyframe& query : run.queries) {
@@ -188,6 +190,7 @@ void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationReque
     if (!keyframe.graph.is_matchable()) continue;
     loops.bag().add(topobag::KeyframeId{i}, keyframe.graph, info_of(keyframe));
   }
+  if (run.calibrated) run.calibrated->places = loops.bag().places();
 }
 
 void verify(RecognitionRun& run, const std::vector<std::vector<topobag::Candidate>>& candidates) {

@@ -58,6 +58,7 @@ struct QueryRecord {
 struct CalibratedRun {
   double false_accept_rate = 0.0;
   topobag::Calibration calibration{};
+  std::size_t places = 0;  ///< of the map that was looked up in, in the end
 };
 
 /// Key frames looked up in a map.
