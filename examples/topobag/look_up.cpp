@@ -25,6 +25,7 @@ topobag::EntryInfo info_of(const Keyframe& keyframe) {
   topobag::EntryInfo info;
   info.stamp = keyframe.timestamp;
   info.T_world_camera = keyframe.T_world_camera;
+  if (keyframe.saved) info.session = keyframe.saved->session.id;
   return info;
 }
 
