@@ -150,6 +150,10 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
 /// without poses, in one of another session or whose id is at least `PlaceOptions::min_id_gap`
 /// away.
 ///
+/// A bag that does not tell its `places()` is taken for one of as many places as there are
+/// candidates: where it holds more, more is accepted falsely than the rate says, and a calibration
+/// does not notice that it has grown.
+///
 /// Every candidate is matched. What could tell beforehand that one cannot come into question is too
 /// weak to pay: in rooms, the best bound that the number of pairs could give leaves out 1 to 13 %
 /// of the candidates and 1 to 7 % of the time, that of the largest consistent set less than 1 % of
