@@ -78,7 +78,7 @@ TEST_CASE("an explanation in words", "[recognition]") {
 }
 
 TEST_CASE("a query with nothing to say is explained, too", "[recognition]") {
-  CHECK(says(to_string(Explanation{2, false, {}}), "takes three"));
+  CHECK(says(to_string(Explanation{2, false, {}}), "a query takes three"));
   CHECK(says(to_string(Explanation{5, true, {}}), "nothing to compare with"));
 }
 

@@ -168,12 +168,7 @@ TEST_CASE("another place that fits as well refuses a match, and is named", "[rec
   REQUIRE(twins.candidates.size() == 2);
   CHECK(twins.candidates[0].verdict == Verdict::rivalled);
   REQUIRE(twins.candidates[0].rival);
-  const RivalPlace& rival = *twins.candidates[0].rival;
-  CHECK(rival.id == twins.candidates[1].id);
-  CHECK(rival.T_candidate_query.isApprox(here, 1e-6));
-  REQUIRE(rival.T_world_query);
-  const double x = rival.id == KeyframeId{2} ? 50.0 : 0.0;
-  CHECK((rival.T_world_query->translation() - Eigen::Vector3d(x, 0, 0)).norm() < 1e-6);
+  CHECK(twins.candidates[0].rival->id == twins.candidates[1].id);
   CHECK(twins.places == 2);
   CHECK(look_up(here));  // the same place twice is no rival
 }
@@ -188,13 +183,7 @@ TEST_CASE("without poses ids far apart are rivals, neighbours and loops of one s
     EntryInfo info;
     info.session = session;
     relocalizer.map().add(KeyframeId{second}, seen, info);
-    const Recognition found = relocalizer.localize(seen);
-    if (!found) {  // told relative to the rival's key frame, for no world is known
-      REQUIRE(found.candidates.front().rival);
-      CHECK(found.candidates.front().rival->T_candidate_query.isApprox(here, 1e-6));
-      CHECK_FALSE(found.candidates.front().rival->T_world_query);
-    }
-    return static_cast<bool>(found);
+    return static_cast<bool>(relocalizer.localize(seen));
   };
   CHECK(accepted(2, 0));
   CHECK_FALSE(accepted(1000, 0));

@@ -59,8 +59,7 @@ void bind_calibration(py::module_& module) {
            py::arg_v("options", CalibrationOptions(), "CalibrationOptions()"),
            doc("Calibration.Calibration"))
       .def("add_negative", &Calibration::add_negative, py::arg("score"),
-           py::arg("beyond_chance") = false, py::arg("places") = 0,
-           doc("Calibration.add_negative"))
+           py::arg("beyond_chance") = false, py::arg("places") = 0, doc("Calibration.add_negative"))
       .def("add_null", &Calibration::add_null, py::arg("score"), py::arg("places") = 0,
            doc("Calibration.add_null"))
       .def("threshold", &Calibration::threshold, py::arg("false_accept_rate"),

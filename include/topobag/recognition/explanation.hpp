@@ -104,8 +104,8 @@ struct CandidateExplanation {
 
 /// Why a query was or was not recognised.
 struct Explanation {
-  std::size_t objects = 0;                       ///< of the query
-  bool usable = false;                           ///< three of them have a position
+  std::size_t objects = 0;  ///< of the query
+  bool usable = false;      ///< three of them have a position, as is asked of a query
   std::vector<CandidateExplanation> candidates;  ///< best first
 };
 
@@ -210,7 +210,7 @@ inline std::string to_string(const CandidateExplanation& candidate,
 inline std::string to_string(const Explanation& explanation,
                              const KeyframeName& name_of = id_name) {
   std::string text = std::to_string(explanation.objects) + " objects";
-  if (!explanation.usable) return text + ": a pose takes three with a position\n";
+  if (!explanation.usable) return text + ": a query takes three with a position\n";
   if (explanation.candidates.empty()) return text + ": there is nothing to compare with\n";
   text += '\n';
   for (const CandidateExplanation& candidate : explanation.candidates) {
