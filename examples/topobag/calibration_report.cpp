@@ -8,8 +8,9 @@ namespace program {
 
 Json calibration_json(const CalibratedRun& calibrated) {
   const topobag::Calibration& calibration = calibrated.calibration;
-  const auto threshold = calibration.threshold(calibrated.false_accept_rate);
+  const auto threshold = calibration.threshold(calibrated.false_accept_rate, calibrated.places);
   const topobag::CarryOver carry_over = calibration.carries_over();
+  const topobag::AskedPlaces& asked = calibration.asked_places();
   return {{"false_accept_rate", calibrated.false_accept_rate},
           {"threshold", threshold.score},
           {"extrapolated", threshold.extrapolated},
@@ -18,12 +19,14 @@ Json calibration_json(const CalibratedRun& calibrated) {
           {"certain_negatives", calibration.negatives()},
           {"repeats", carry_over.repeats},
           {"learnt_looks", calibration.appearance().has_value()},
+          {"places", calibrated.places},
+          {"places_learnt", asked.queries > 0 ? Json(asked.mean()) : Json()},
           {"warning", carry_over ? Json() : Json(carry_over.reason)}};
 }
 
 std::string calibration_lines(const CalibratedRun& calibrated) {
   const topobag::Calibration& calibration = calibrated.calibration;
-  const auto threshold = calibration.threshold(calibrated.false_accept_rate);
+  const auto threshold = calibration.threshold(calibrated.false_accept_rate, calibrated.places);
   std::ostringstream out;
   out << "  threshold     " << std::fixed << std::setprecision(2) << threshold.score
       << " for a false-accept rate of " << std::defaultfloat << std::setprecision(6)

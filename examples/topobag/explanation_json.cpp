@@ -4,6 +4,7 @@
 #include <array>
 
 #include "keyframe_json.hpp"
+#include "pose_numbers.hpp"
 
 namespace program {
 namespace {
@@ -55,7 +56,10 @@ Json candidate_json(const topobag::CandidateExplanation& candidate,
     json["scale_deviation"] = candidate.scale->deviation;
   }
   if (candidate.rival) {
-    json.update(keyframe_json(map[topobag::value(candidate.rival->id)], "rival_map_"));
+    const topobag::RivalPlace& rival = *candidate.rival;
+    json.update(keyframe_json(map[topobag::value(rival.id)], "rival_map_"));
+    json["rival_pose_candidate_query"] = pose_numbers(rival.T_candidate_query);
+    if (rival.T_world_query) json["rival_pose_world_query"] = pose_numbers(*rival.T_world_query);
   }
   for (const auto& stage : candidate.stages) json["stages"].push_back(stage_json(stage));
   for (const auto& match : candidate.matched) {

@@ -26,6 +26,7 @@ topobag::EntryInfo info_of(const Keyframe& keyframe) {
   topobag::EntryInfo info;
   info.stamp = keyframe.timestamp;
   info.T_world_camera = keyframe.T_world_camera;
+  if (keyframe.saved) info.session = keyframe.saved->session.id;
   return info;
 }
 
@@ -181,6 +182,7 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
   if (leave_out_radius) require_poses(run, "--leave-out-radius");
   topobag::RecognitionOptions options = decided_options(run, request);
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
+  if (run.calibrated) run.calibrated->places = relocalizer.map().places();
   run.records.clear();
   Progress progress(run.queries.size(), "key frames looked up");
   for (const Keyframe& query : run.queries) {
@@ -224,6 +226,7 @@ void look_up_earlier(RecognitionRun& run, double min_gap, const CalibrationReque
     if (!keyframe.graph.is_matchable()) continue;
     loops.bag().add(topobag::KeyframeId{i}, keyframe.graph, info_of(keyframe));
   }
+  if (run.calibrated) run.calibrated->places = loops.bag().places();
 }
 
 void verify(RecognitionRun& run, const std::vector<std::vector<topobag::Candidate>>& candidates) {

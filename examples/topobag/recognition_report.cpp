@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "recognition_report.hpp"
 
-#include <array>
 #include <iomanip>
 #include <map>
 #include <set>
@@ -13,16 +12,10 @@
 #include "calibration_report.hpp"
 #include "json_output.hpp"
 #include "keyframe_json.hpp"
+#include "pose_numbers.hpp"
 
 namespace program {
 namespace {
-
-/// tx ty tz qx qy qz qw
-std::array<double, 7> pose_numbers(const Eigen::Isometry3d& pose) {
-  const Eigen::Vector3d t = pose.translation();
-  const Eigen::Quaterniond q(pose.linear());
-  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
-}
 
 Json times_json(const std::optional<QueryTimes>& ms) {
   if (!ms) return nullptr;

@@ -59,6 +59,7 @@ struct CalibratedRun {
   double false_accept_rate = 0.0;
   topobag::Calibration calibration{};
   std::string looks{};  ///< by what they are judged, in words; empty where there are none to learn
+  std::size_t places = 0;  ///< of the map that was looked up in, in the end
 };
 
 /// Key frames looked up in a map.

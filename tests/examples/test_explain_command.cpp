@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "csv_reader.hpp"
+#include "desk_twice.hpp"
 #include "run_program.hpp"
 #include "sample.hpp"
 
@@ -108,4 +109,21 @@ TEST_CASE("a key frame of a saved map is told by session and frame", "[examples]
   CHECK(told.out.find("map session 1, idx " + frame + ": accepted") != std::string::npos);
   const ProgramRun lines = run_program("localize --verbose " + tables + sample_options);
   CHECK(lines.out.find("accepted, map session 1, idx " + frame + ", score ") != std::string::npos);
+}
+
+TEST_CASE("explain tells where another place that fits as well puts the query", "[examples]") {
+  const ScratchFolder folder;
+  const std::string tables = "--map " + write_desk_twice(folder) + " --query " + sample_query;
+  const std::string frame = " --frame " + accepted_match().at("query_idx").dump();
+  const Json candidate = json_of("explain " + tables + frame).at("candidates").at(0);
+  CHECK(candidate.at("verdict") == "another place fits about as well");
+  CHECK((candidate.at("map_idx") < 1000) == (candidate.at("rival_map_idx") >= 1000));
+  CHECK(candidate.at("rival_pose_candidate_query").size() == 7);
+  const Json pose = candidate.at("rival_pose_world_query");
+  REQUIRE(pose.size() == 7);
+  const bool aside = candidate.at("rival_map_idx") >= 1000;
+  CHECK(pose.at(0).get<double>() == Approx(aside ? 51.3 : 1.3).margin(0.3));  // the desk's cameras
+  const ProgramRun run = run_program("explain " + tables + sample_options + frame);
+  CHECK(run.out.find(", with the query at (" + std::string(aside ? "5" : "1")) !=
+        std::string::npos);
 }

@@ -157,6 +157,7 @@ TEST_CASE("what is no calibration is refused with the line", "[recognition]") {
   says(changed("calibration 1", "calibration 4"), 1, "later than this library's");
   says(changed("calibration 1", "calibration 0"), 1, "no such version");
   says(changed("calibration 1", "calibration 2"), 14, "'appearance_kind' and its value");
+  says(changed("calibration 1", "calibration 3"), 14, "'places_look_ups' and its value");
   says(changed("calibration 1", "calibration one"), 1, "not a number");
   says(changed("null model", "certain negatives"), 14, "do not make its source");
   says(changed("prior 0.5", "0.5"), 4, "'prior' and its value are missing");

@@ -49,3 +49,18 @@ TEST_CASE("a rate outside (0, 1] is refused", "[recognition]") {
     CHECK_THROWS_AS(options.threshold(1), InvalidValue);
   }
 }
+
+TEST_CASE("a calibration is asked by the places of the whole map", "[recognition]") {
+  DecisionOptions options;
+  options.calibration.emplace();
+  for (int i = 0; i < 400; ++i) options.calibration->add_null(0.01 * i, 30);
+  const double learnt = options.calibration->threshold(1e-3).score;
+  for (const bool with_views : {false, true}) {
+    CHECK(options.threshold(7, with_views) == learnt);
+    CHECK(options.threshold(7, with_views, 30) == learnt);
+    CHECK(options.threshold(7, with_views, 300) >= learnt + 1.0);
+    CHECK(options.threshold(7, with_views, 300) == options.calibration->threshold(1e-3, 300).score);
+  }
+  options.min_score = 4.5;
+  CHECK(options.threshold(7, true, 300) == 4.5);
+}

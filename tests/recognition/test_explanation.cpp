@@ -78,7 +78,7 @@ TEST_CASE("an explanation in words", "[recognition]") {
 }
 
 TEST_CASE("a query with nothing to say is explained, too", "[recognition]") {
-  CHECK(says(to_string(Explanation{2, false, {}}), "takes three"));
+  CHECK(says(to_string(Explanation{2, false, {}}), "a query takes three"));
   CHECK(says(to_string(Explanation{5, true, {}}), "nothing to compare with"));
 }
 
@@ -101,5 +101,16 @@ TEST_CASE("a host names its key frames", "[recognition]") {
   const auto name = [](KeyframeId id) { return "Tuesday, " + std::to_string(value(id) - 67); };
   const std::string text = to_string(Explanation{7, true, {candidate}}, name);
   CHECK(says(text, "Tuesday, 30: "));
-  CHECK(says(text, "another place fits about as well: Tuesday, 31"));
+  CHECK(says(text, "another place fits about as well: Tuesday, 31, with the query at "));
+}
+
+TEST_CASE("a rival is told with where it puts the query", "[recognition]") {
+  CandidateExplanation candidate;
+  candidate.rival = RivalPlace{KeyframeId{98}, 1.0, 2.0};
+  candidate.rival->T_candidate_query.translation() = Eigen::Vector3d(1.0, -2.0, 0.126);
+  CHECK(says(to_string(candidate),
+             "key frame 98, with the query at (1.00, -2.00, 0.13) m of its camera frame\n"));
+  candidate.rival->T_world_query = Eigen::Translation3d(40, 0, 0) * Eigen::Isometry3d::Identity();
+  CHECK(says(to_string(candidate),
+             "key frame 98, with the query at (40.00, 0.00, 0.00) m of the world\n"));
 }

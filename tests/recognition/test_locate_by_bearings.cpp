@@ -82,7 +82,18 @@ TEST_CASE("two equal rooms keep bearings from an answer", "[locate_by_bearings]"
   const Recognition recognition = locate_by_bearings(map, bearings_of(seen, random, 0.005));
   CHECK_FALSE(recognition);
   REQUIRE_FALSE(recognition.candidates.empty());
-  CHECK(recognition.candidates.front().verdict == Verdict::rivalled);
+  const CandidateReport& best = recognition.candidates.front();
+  CHECK(best.verdict == Verdict::rivalled);
+  REQUIRE(best.rival);
+  CHECK(best.rival->id != best.id);
+  REQUIRE(best.rival->T_world_query);  // in the other room, where the camera is in this one
+  const auto in_room = [&](KeyframeId id, const Eigen::Isometry3d& T_world_camera) {
+    return Eigen::Vector3d(
+        (room_by_bearings(static_cast<unsigned>(value(id))).inverse() * T_world_camera)
+            .translation());
+  };
+  const Eigen::Isometry3d own = *map.info(best.id)->T_world_camera * best.pose->T_candidate_query;
+  CHECK((in_room(best.rival->id, *best.rival->T_world_query) - in_room(best.id, own)).norm() < 0.5);
 }
 
 TEST_CASE("every bag that can be walked through can be asked by bearings", "[locate_by_bearings]") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -206,4 +208,39 @@ TEST_CASE("a degenerate pose elsewhere that fits better makes a match ambiguous"
   CHECK(verdict_on({pose_with(2.0, false, aside), pose_with(1.9, true)}) == Verdict::accepted);
   CHECK(verdict_on({pose_with(2.0, false, aside), pose_with(1.9, false)}) == Verdict::ambiguous);
   CHECK(verdict_on({pose_with(3.5, false, aside), pose_with(2.4, false)}) == Verdict::accepted);
+}
+
+TEST_CASE("a bag that does not count its places is as large as its candidates are many",
+          "[recognition]") {
+  /// What `verify_candidates` needs of a bag.
+  struct PlainBag {
+    using Graph = TopologyGraph<>;
+    const BagOfTopologyGraphs<>* bag;
+    std::vector<Candidate> query(const Graph& graph, const QueryOptions& options) const {
+      return bag->query(graph, options);
+    }
+    std::optional<Graph> find(KeyframeId id) const { return bag->find(id); }
+    std::optional<EntryInfo> info(KeyframeId id) const { return bag->info(id); }
+  };
+  std::mt19937 random(21);
+  BagOfTopologyGraphs<> bag;
+  for (unsigned i = 0; i < 60; ++i) {
+    const Eigen::Isometry3d T_room_camera = random_camera(random);
+    bag.add(KeyframeId{i}, SyntheticRoom(i, 6, 6).seen_from(T_room_camera),
+            standing_at(Eigen::Translation3d(20.0 * i, 0.0, 0.0) * T_room_camera));
+  }
+  const TopologyGraph<> query = SyntheticRoom(3, 6, 6).seen_from(random_camera(random));
+  for (const std::size_t candidates : {5U, 20U}) {
+    QueryOptions options;
+    options.max_results = candidates;
+    const auto retrieved = bag.query(query, options);
+    const Recognition told = verify_candidates(bag, query, retrieved);
+    const Recognition untold = verify_candidates(PlainBag{&bag}, query, retrieved);
+    CHECK(told.places == bag.places());
+    CHECK(untold.places == candidates);
+    for (const CandidateReport& report : untold.candidates) {
+      CHECK(report.places == candidates);  // any of them may hold what was matched
+      CHECK(report.threshold == DecisionOptions{}.threshold(candidates, false));
+    }
+  }
 }

@@ -62,5 +62,5 @@ TEST_CASE("one line names the other place that fits about as well", "[recognitio
 
 TEST_CASE("one line tells what cannot be looked up", "[recognition]") {
   CHECK(why(Relocalizer<>().localize(TopologyGraph<>())) ==
-        "not recognised: a pose takes three objects with a position");
+        "not recognised: a query takes three objects with a position");
 }

@@ -22,6 +22,11 @@ void bind_calibration(py::module_& module) {
       .attribute("repeats", &CarryOver::repeats)
       .attribute("reason", &CarryOver::reason);
   carry.def("__bool__", [](const CarryOver& c) { return static_cast<bool>(c); });
+  py::class_<AskedPlaces> asked(module, "AskedPlaces", doc("AskedPlaces"));
+  Attributes(asked, "AskedPlaces")
+      .attribute("queries", &AskedPlaces::queries)
+      .attribute("places", &AskedPlaces::places)
+      .attribute("mean", &AskedPlaces::mean);
   py::enum_<CalibrationSource>(module, "CalibrationSource", doc("CalibrationSource"))
       .value("null_model", CalibrationSource::null_model)
       .value("certain_negatives", CalibrationSource::certain_negatives);
@@ -45,7 +50,8 @@ void bind_calibration(py::module_& module) {
       .attribute("negatives", &Calibration::negatives)
       .attribute("source", &Calibration::source)
       .attribute("queries", &Calibration::queries)
-      .attribute("repeats", &Calibration::repeats);
+      .attribute("repeats", &Calibration::repeats)
+      .attribute("asked_places", &Calibration::asked_places);
   const auto to_text = [](const Calibration& c) { return topobag::to_string(c); };
   const auto from_text = [](const std::string& text) { return parse_calibration(text); };
   calibration
@@ -53,13 +59,14 @@ void bind_calibration(py::module_& module) {
            py::arg_v("options", CalibrationOptions(), "CalibrationOptions()"),
            doc("Calibration.Calibration"))
       .def("add_negative", &Calibration::add_negative, py::arg("score"),
-           py::arg("beyond_chance") = false, doc("Calibration.add_negative"))
-      .def("add_null", &Calibration::add_null, py::arg("score"), doc("Calibration.add_null"))
+           py::arg("beyond_chance") = false, py::arg("places") = 0, doc("Calibration.add_negative"))
+      .def("add_null", &Calibration::add_null, py::arg("score"), py::arg("places") = 0,
+           doc("Calibration.add_null"))
       .def("threshold", &Calibration::threshold, py::arg("false_accept_rate"),
-           doc("Calibration.threshold"))
+           py::arg("places") = 0, doc("Calibration.threshold"))
       .def("false_accept_rate", &Calibration::false_accept_rate, py::arg("score"),
-           doc("Calibration.false_accept_rate"))
-      .def("probability", &Calibration::probability, py::arg("score"),
+           py::arg("places") = 0, doc("Calibration.false_accept_rate"))
+      .def("probability", &Calibration::probability, py::arg("score"), py::arg("places") = 0,
            doc("Calibration.probability"))
       .def("is_extrapolated", &Calibration::is_extrapolated, py::arg("score"),
            doc("Calibration.is_extrapolated"))

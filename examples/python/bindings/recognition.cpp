@@ -24,7 +24,8 @@ void bind_options(py::module_& module) {
       .field("calibration", &DecisionOptions::calibration)
       .field("min_score", &DecisionOptions::min_score)
       .def("threshold", &DecisionOptions::threshold, py::arg("places"),
-           py::arg("with_views") = true, doc("DecisionOptions.threshold"));
+           py::arg("with_views") = true, py::arg("map_places") = 0,
+           doc("DecisionOptions.threshold"));
   Fields<RecognitionOptions>(module, "RecognitionOptions")
       .field("retrieval", &RecognitionOptions::retrieval)
       .field("matching", &RecognitionOptions::matching)
@@ -62,7 +63,9 @@ void bind_recognition(py::module_& module) {
   Attributes(rival, "RivalPlace")
       .attribute("id", &RivalPlace::id)
       .attribute("support", &RivalPlace::support)
-      .attribute("lead", &RivalPlace::lead);
+      .attribute("lead", &RivalPlace::lead)
+      .attribute("T_candidate_query", &RivalPlace::T_candidate_query)
+      .attribute("T_world_query", &RivalPlace::T_world_query);
   py::class_<CandidateReport> report(module, "CandidateReport", doc("CandidateReport"));
   Attributes(report, "CandidateReport")
       .attribute("id", &CandidateReport::id)
@@ -75,6 +78,7 @@ void bind_recognition(py::module_& module) {
       .attribute("place_share", &CandidateReport::place_share)
       .attribute("rival", &CandidateReport::rival)
       .attribute("places", &CandidateReport::places)
+      .attribute("with_views", &CandidateReport::with_views)
       .attribute("threshold", &CandidateReport::threshold)
       .attribute("confidence", &CandidateReport::confidence)
       .attribute("complete", &CandidateReport::complete)

@@ -81,6 +81,12 @@ struct is_durable_bag<
 }  // namespace detail
 
 /// Whether key frames can be looked up in `Bag`: `Relocalizer` (C++20: `concept SearchableBag`).
+///
+/// To decide, `verify_candidates` asks for `info(id)` as well. Where `Bag` also has `places()`,
+/// `places_holding(objects, groups)` and `within(region)`, as the library's bags do, decisions go
+/// by them. Without, a map counts as many places as a query has candidates, so that a large one
+/// accepts more falsely than the rate says, all of them can hold what was matched, and the place
+/// around a candidate takes another `query`.
 template <typename Bag>
 inline constexpr bool is_searchable_bag_v = detail::is_searchable_bag<Bag>::value;
 

@@ -90,7 +90,11 @@ class TopologyGraph {
   /// The one kind of the descriptors that nodes carry; of length 0 where none carries one.
   AppearanceKind appearance_kind() const noexcept { return appearance_kind_; }
 
-  /// Whether there is enough to fit a pose: three nodes with a position.
+  /// Whether there is enough to look a place up: three nodes with a position. Where both graphs
+  /// know which way is down two determine a pose (`match_graphs`), but they hardly outweigh chance:
+  /// of 1,403 single frames and 2,005 windows of 3 s in a map of the same rooms and others, the
+  /// best score of two objects is 1.48 under a true pose and 1.02 under a false one, and a map of
+  /// one place already asks for 1.75 (`DecisionOptions::threshold`).
   bool is_matchable() const noexcept {
     std::size_t placed = 0;
     for (const Node& n : nodes_) placed += n.position ? 1U : 0U;

@@ -25,8 +25,10 @@ inline namespace v0 {
 
 /// Every distinct pose under which the query graph fits the candidate graph.
 struct GraphMatch {
-  std::vector<RelativePose> poses;  ///< by falling score; empty when no three nodes agree
-  bool complete = true;             ///< false when a budget ended first
+  /// By falling score; empty when fewer agree than determine a pose: three, or two where both
+  /// graphs know which way is down; one more where the scale is not known.
+  std::vector<RelativePose> poses;
+  bool complete = true;  ///< false when a budget ended first
 };
 
 namespace detail {

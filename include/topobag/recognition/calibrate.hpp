@@ -67,7 +67,7 @@ void add_null_queries(Calibration& calibration, const Relocalizer<Bag>& relocali
     if (!graph) continue;  // erased meanwhile
     const auto layout = permuted_layout(*graph, options.seed + static_cast<std::uint32_t>(i));
     const Recognition found = relocalizer.localize(layout, recognition);
-    if (!found.candidates.empty()) calibration.add_null(false_score(found));
+    if (!found.candidates.empty()) calibration.add_null(false_score(found), found.places);
     if (options.on_query) options.on_query();
   }
 }

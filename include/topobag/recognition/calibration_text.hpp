@@ -18,8 +18,9 @@ inline namespace v0 {
 
 namespace detail {
 
-inline constexpr std::size_t calibration_version = 3;  // the latest; 1 has no appearance, 2 none
-                                                       // of shares other than the defaults
+// The latest; 1 has no appearance, and up to 2 none of shares other than the defaults, nor how many
+// places were asked.
+inline constexpr std::size_t calibration_version = 3;
 
 inline void append_scores(std::string& text, const std::string& key, const FalseScores& scores) {
   text += key + "_look_ups " + exact_text(scores.size()) + '\n';
@@ -41,6 +42,7 @@ inline FalseScores read_scores(ValueLines& lines, const std::string& key) {
 
 /// The least version that holds the calibration.
 inline std::size_t least_calibration_version(const Calibration& calibration) {
+  if (calibration.asked_places().queries > 0) return 3;
   if (!calibration.appearance()) return 1;
   const AppearanceModel usual;
   const bool usual_shares = calibration.appearance()->furnished_alike == usual.furnished_alike &&
@@ -89,8 +91,9 @@ inline AppearanceModel read_appearance(ValueLines& lines, std::size_t version) {
 }  // namespace detail
 
 /// A calibration as text, a value on each line: its version, the least that holds it, what it goes
-/// by, its options, the queries and their scores, and what looks say where that was learnt.
-/// `parse_calibration` turns it back into the same one, to the last bit; no locale has a say. O(n).
+/// by, its options, the queries and their scores, and, where they are known, the places that were
+/// asked and what looks say. `parse_calibration` turns it back into the same one, to the last bit;
+/// no locale has a say. O(n).
 inline std::string to_string(const Calibration& calibration) {
   const CalibrationOptions& options = calibration.options();
   const std::size_t version = detail::least_calibration_version(calibration);
@@ -102,6 +105,10 @@ inline std::string to_string(const Calibration& calibration) {
   text += "repeats " + detail::exact_text(calibration.repeats()) + '\n';
   detail::append_scores(text, "negative", calibration.negative_scores());
   detail::append_scores(text, "null", calibration.null_scores());
+  if (version >= 3) {
+    text += "places_look_ups " + detail::exact_text(calibration.asked_places().queries) + '\n';
+    text += "places_asked " + detail::exact_text(calibration.asked_places().places) + '\n';
+  }
   if (calibration.appearance()) detail::append_appearance(text, *calibration.appearance(), version);
   return text + "end\n";
 }
@@ -120,8 +127,15 @@ inline Calibration parse_calibration(std::string_view text) {
   const auto repeats = lines.number<std::size_t>(lines.behind("repeats"));
   FalseScores negatives = detail::read_scores(lines, "negative");
   FalseScores null = detail::read_scores(lines, "null");
+  AskedPlaces asked;
+  if (version == 3) {
+    asked.queries = lines.number<std::size_t>(lines.behind("places_look_ups"));
+    asked.places = lines.number<std::size_t>(lines.behind("places_asked"));
+  }
   std::optional<AppearanceModel> appearance;
-  if (version >= 2) appearance = detail::read_appearance(lines, version);
+  if (version == 2 || (version >= 3 && lines.next_begins("appearance_kind "))) {
+    appearance = detail::read_appearance(lines, version);
+  }
   if (lines.next() != "end") lines.fail("'end' is missing.");
   try {
     Calibration calibration(options, std::move(negatives), std::move(null), repeats);
@@ -129,6 +143,7 @@ inline Calibration parse_calibration(std::string_view text) {
       lines.fail("the queries do not make its source '" + source + "'.");
     }
     lines.require_end();
+    calibration.set_asked_places(asked);
     if (appearance) calibration.set_appearance(*appearance);
     return calibration;
   } catch (const InvalidValue& error) {

@@ -76,6 +76,22 @@ bool is_elsewhere(const Report& report, const Eigen::Isometry3d& T_world_candida
   return options.elsewhere(T_world_query, T_world_candidate * report.pose->T_candidate_query);
 }
 
+/// Calls `use` for every match that puts the query elsewhere than it is, was judged by its place
+/// and leaves the pose not open.
+template <typename Bag, typename Use>
+void for_false_matches(const Recognition& recognition, const Bag& bag,
+                       const Eigen::Isometry3d& T_world_query, const PoseNegativeOptions& options,
+                       Use&& use) {
+  for (const CandidateReport& report : recognition.candidates) {
+    if (!report.pose || !report.place_support || report.pose->degenerate) continue;
+    const auto T_world_candidate = known_pose(bag, report.id);
+    if (!T_world_candidate || !is_elsewhere(report, *T_world_candidate, T_world_query, options)) {
+      continue;
+    }
+    use(report);
+  }
+}
+
 }  // namespace detail
 
 /// The least threshold that would have refused a query of a place that cannot be in the map, made
@@ -96,29 +112,28 @@ std::optional<double> false_score_by_pose(const Recognition& recognition, const 
                                           const PoseNegativeOptions& options = {}) {
   require_rigid(T_world_query, "the query's pose");
   std::optional<double> best;
-  for (const CandidateReport& report : recognition.candidates) {
-    if (!report.pose || !report.place_support || report.pose->degenerate) continue;
-    const auto T_world_candidate = detail::known_pose(bag, report.id);
-    if (!T_world_candidate ||
-        !detail::is_elsewhere(report, *T_world_candidate, T_world_query, options)) {
-      continue;
-    }
-    best = best ? std::max(*best, report.score()) : report.score();
-  }
+  detail::for_false_matches(recognition, bag, T_world_query, options,
+                            [&](const CandidateReport& report) {
+                              best = best ? std::max(*best, report.score()) : report.score();
+                            });
   return best;
 }
 
-/// Whether a decision at its defaults, without calibration, would ask this query for no more.
-inline bool is_beyond_chance(const Recognition& recognition, std::optional<double> score) {
-  return score && *score >= DecisionOptions{}.threshold(recognition.places);
+/// Whether a decision at its defaults, without calibration, would ask this match for no more: by
+/// the places that can hold what was matched, and by whether the query or the candidate has views.
+/// Also of a query made `without_threshold`.
+inline bool is_beyond_chance(const CandidateReport& report) {
+  return report.pose &&
+         report.score() >= DecisionOptions{}.threshold(report.places, report.with_views);
 }
 
 /// Adds a query of a place that cannot be in the map, made `without_threshold`. One that compared
 /// nothing teaches nothing. Whether it was added.
 inline bool add_negative(Calibration& calibration, const Recognition& recognition) {
   if (recognition.candidates.empty()) return false;
-  const auto score = false_score(recognition);
-  calibration.add_negative(score, is_beyond_chance(recognition, score));
+  calibration.add_negative(false_score(recognition),
+                           recognition && is_beyond_chance(*recognition.accepted),
+                           recognition.places);
   return true;
 }
 
@@ -149,8 +164,13 @@ bool add_negative_by_pose(Calibration& calibration, const Recognition& recogniti
     if (!detail::is_elsewhere(report, *T_world_candidate, T_world_query, options)) ++at_query;
   }
   if (asked == 0 || 2 * at_query > asked) return false;
-  const auto score = false_score_by_pose(recognition, bag, T_world_query, options);
-  calibration.add_negative(score, is_beyond_chance(recognition, score));
+  bool beyond_chance = false;
+  detail::for_false_matches(recognition, bag, T_world_query, options,
+                            [&](const CandidateReport& report) {
+                              beyond_chance = beyond_chance || is_beyond_chance(report);
+                            });
+  calibration.add_negative(false_score_by_pose(recognition, bag, T_world_query, options),
+                           beyond_chance, recognition.places);
   return true;
 }
 

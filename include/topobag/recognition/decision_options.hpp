@@ -37,11 +37,14 @@ struct DecisionOptions {
   std::optional<Calibration> calibration{};  ///< learnt in this very map: says the score to ask for
   std::optional<double> min_score{};         ///< with it, that is the score to ask for
 
-  /// The score to ask for among `places`. Throws InvalidValue for a rate outside (0, 1].
+  /// The score to ask for among `places`. A calibration, whose scores are of whatever was matched,
+  /// asks by the places of the whole map instead, as far as they have grown since it was learnt.
+  /// Throws InvalidValue for a rate outside (0, 1].
   /// @param with_views  of the query or the candidate
-  double threshold(std::size_t places, bool with_views = true) const {
+  /// @param map_places  of the whole map; 0 = as many as the calibration was learnt with
+  double threshold(std::size_t places, bool with_views = true, std::size_t map_places = 0) const {
     if (min_score) return *min_score;
-    if (calibration) return calibration->threshold(false_accept_rate).score;
+    if (calibration) return calibration->threshold(false_accept_rate, map_places).score;
     if (!(false_accept_rate > 0.0 && false_accept_rate <= 1.0)) {
       throw InvalidValue("a false-accept rate must be in (0, 1]");
     }

@@ -12,6 +12,7 @@
 #include <topobag/graph/topology_graph.hpp>
 #include <topobag/matching/appearance_model.hpp>
 #include <topobag/matching/point_pair.hpp>
+#include <topobag/matching/shared_vertical.hpp>
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/detail/pose_rivals.hpp>
 #include <topobag/recognition/detail/stored_entry.hpp>
@@ -52,11 +53,13 @@ bool speaks_of(const CandidateReport& report, const Graph& candidate, const Grap
 
 /// The stages in the order of `judge_candidate`; `best_margin` is the accepted candidate's.
 template <typename Graph>
-std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph& query,
-                                      const RecognitionOptions& options,
+std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph& candidate,
+                                      const Graph& query, const RecognitionOptions& options,
                                       std::optional<double> best_margin) {
   const double agreeing = report.pose ? static_cast<double>(report.pose->inliers.size()) : 0.0;
-  const double needed = options.matching.scale ? 4.0 : 3.0;
+  // An unknown scale takes one more, a vertical that both know one less.
+  const double needed =
+      (options.matching.scale ? 4.0 : 3.0) - (shared_vertical(candidate, query) ? 1.0 : 0.0);
   std::vector<ExplainedStage> stages{
       {"objects that agree", report.pose.has_value(), agreeing, needed, true, {}}};
   if (!report.pose) return stages;
@@ -129,7 +132,7 @@ CandidateExplanation explain_candidate(const CandidateReport& report,
   explanation.complete = report.complete;
   explanation.place_support = report.place_support;
   explanation.rival = report.rival;
-  explanation.stages = detail::stages_of(report, query, options, best_margin);
+  explanation.stages = detail::stages_of(report, candidate, query, options, best_margin);
   if (!report.pose) return explanation;
   const RelativePose& pose = *report.pose;
   if (pose.scale_deviation > 0.0) explanation.scale = {pose.scale, pose.scale_deviation};

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <topobag/recognition/changes.hpp>
 #include <topobag/recognition/recognition.hpp>
@@ -103,8 +104,8 @@ struct CandidateExplanation {
 
 /// Why a query was or was not recognised.
 struct Explanation {
-  std::size_t objects = 0;                       ///< of the query
-  bool usable = false;                           ///< three of them have a position
+  std::size_t objects = 0;  ///< of the query
+  bool usable = false;      ///< three of them have a position, as is asked of a query
   std::vector<CandidateExplanation> candidates;  ///< best first
 };
 
@@ -132,6 +133,16 @@ inline std::pair<std::string, std::string> told_apart(double a, double b) {
   const int most = 17;
   while (a != b && decimals < most && text(a, decimals) == text(b, decimals)) ++decimals;
   return {text(a, decimals), text(b, decimals)};
+}
+
+/// Where a rival puts the query: ", with the query at (1.00, 2.00, -0.50) m of the world".
+inline std::string place_text(const RivalPlace& rival) {
+  const Eigen::Vector3d at = rival.T_world_query.value_or(rival.T_candidate_query).translation();
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(2) << ", with the query at (" << at.x() << ", " << at.y()
+      << ", " << at.z() << ") m of " << (rival.T_world_query ? "the world" : "its camera frame");
+  return out.str();
 }
 
 }  // namespace detail
@@ -166,7 +177,8 @@ inline std::string to_string(const CandidateExplanation& candidate,
     out << "  the place around it supports the pose with " << *candidate.place_support << '\n';
   }
   if (candidate.rival) {
-    out << "  another place fits about as well: " << name_of(candidate.rival->id) << '\n';
+    out << "  another place fits about as well: " << name_of(candidate.rival->id)
+        << detail::place_text(*candidate.rival) << '\n';
   }
   for (const ExplainedMatch& match : candidate.matched) {
     out << "  matched " << match.candidate_class;
@@ -201,7 +213,7 @@ inline std::string to_string(const CandidateExplanation& candidate,
 inline std::string to_string(const Explanation& explanation,
                              const KeyframeName& name_of = id_name) {
   std::string text = std::to_string(explanation.objects) + " objects";
-  if (!explanation.usable) return text + ": a pose takes three with a position\n";
+  if (!explanation.usable) return text + ": a query takes three with a position\n";
   if (explanation.candidates.empty()) return text + ": there is nothing to compare with\n";
   text += '\n';
   for (const CandidateExplanation& candidate : explanation.candidates) {

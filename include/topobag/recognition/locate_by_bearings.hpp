@@ -126,7 +126,7 @@ void find_rivals(const Bag& bag, const Graphs& queries, const RecognitionOptions
       const double lead = lead_to_ask(elsewhere, other.support, options.decision);
       if (other.support <= own.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;
-      report.rival = RivalPlace{reports[other.report].id, other.support, lead};
+      report.rival = rival_place(reports[other.report].id, other, lead);
     }
   }
 }

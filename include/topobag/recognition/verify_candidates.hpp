@@ -117,12 +117,13 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
   };
   const bool with_views = !query.views().empty() || !graph.views().empty();
   const auto threshold = [&](std::size_t asked) {
-    return options.decision.threshold(asked, with_views);
+    return options.decision.threshold(asked, with_views, places);
   };
   CandidateReport report;
   report.id = candidate.id;
   report.similarity = candidate.similarity;
   report.places = places;
+  report.with_views = with_views;
   report.threshold = threshold(places);
   GraphMatch match = match_known(graph, known, options.matching);
   report.complete = match.complete;
@@ -150,6 +151,10 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
 /// poses; without them by the map's own objects, as far as these lead from key frame to key frame of
 /// one session; where they do not, one of another session is elsewhere, and so is one that is at
 /// least `PlaceOptions::min_id_gap` key frames of its session away.
+///
+/// A bag that does not tell its `places()` is taken for one of as many places as there are
+/// candidates: where it holds more, more is accepted falsely than the rate says, and a calibration
+/// does not notice that it has grown.
 ///
 /// Every candidate is matched. What could tell beforehand that one cannot come into question is too
 /// weak to pay: in rooms, the best bound that the number of pairs could give leaves out 1 to 13 %
@@ -189,7 +194,8 @@ Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query
     // A calibration knows the scores of matches with one clear pose, and says nothing of others.
     if (options.decision.calibration && report.place_support &&
         (report.verdict == Verdict::accepted || report.verdict == Verdict::insignificant)) {
-      report.confidence = options.decision.calibration->probability(report.score());
+      report.confidence =
+          options.decision.calibration->probability(report.score(), recognition.places);
     }
   }
   std::sort(reports.begin(), reports.end(), [](const CandidateReport& a, const CandidateReport& b) {

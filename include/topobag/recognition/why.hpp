@@ -16,7 +16,7 @@ inline namespace v0 {
 /// short. For all candidates, stage by stage: `explain`.
 /// @param name_of  how a reader knows a key frame
 inline std::string why(const Recognition& recognition, const KeyframeName& name_of = id_name) {
-  if (!recognition.usable) return "not recognised: a pose takes three objects with a position";
+  if (!recognition.usable) return "not recognised: a query takes three objects with a position";
   if (recognition.candidates.empty()) return "not recognised: there is nothing to compare with";
   const CandidateReport& told =
       recognition ? *recognition.accepted : recognition.candidates.front();

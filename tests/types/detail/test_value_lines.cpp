@@ -13,6 +13,8 @@ using namespace topobag;
 TEST_CASE("values come line by line, by name or by place", "[types]") {
   detail::ValueLines lines("thing", "topobag thing 2\r\nsize 4\n1 -2.5 7\nend\n");
   CHECK(lines.version(2) == 2);
+  CHECK(lines.next_begins("size "));
+  CHECK_FALSE(lines.next_begins("size 5"));
   CHECK(lines.number<std::size_t>(lines.behind("size")) == 4);
   std::string_view row = lines.next();
   CHECK(lines.take<int>(row) == 1);

@@ -161,7 +161,7 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
       const double lead = lead_to_ask(elsewhere, other.support, options.decision);
       if (other.support <= hypothesis.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;
-      report.rival = RivalPlace{reports[other.report].id, other.support, lead};
+      report.rival = rival_place(reports[other.report].id, other, lead);
     }
   }
 }

@@ -12,7 +12,9 @@
 #include <topobag/matching/correspondence.hpp>
 #include <topobag/matching/relative_pose.hpp>
 #include <topobag/recognition/decision_options.hpp>
+#include <topobag/recognition/recognition.hpp>
 #include <topobag/types/detail/cholesky.hpp>
+#include <topobag/types/ids.hpp>
 
 namespace topobag {
 inline namespace v0 {
@@ -75,6 +77,18 @@ bool is_rival(const RelativePose& other, const RelativePose& pose, const Graph& 
               const DecisionOptions& options) {
   if (other.degenerate) return other.score() > pose.score() && !within_uncertainty(other, pose);
   return other.support() > pose.support() - lead_to_ask(other, pose, query, options);
+}
+
+/// The place of a hypothesis, which fits about as well as the pose of another one.
+/// @param id    of the hypothesis' candidate
+/// @param lead  over it that is asked for
+template <typename Hypothesis>
+RivalPlace rival_place(KeyframeId id, const Hypothesis& hypothesis, double lead) {
+  RivalPlace rival{id, hypothesis.support, lead, hypothesis.pose->T_candidate_query};
+  if (hypothesis.info && hypothesis.info->T_world_camera) {
+    rival.T_world_query = *hypothesis.info->T_world_camera * rival.T_candidate_query;
+  }
+  return rival;
 }
 
 }  // namespace detail

@@ -60,6 +60,9 @@ class ValueLines {
     return line;
   }
 
+  /// Whether the next line begins so.
+  bool next_begins(std::string_view with) const { return text_.substr(0, with.size()) == with; }
+
   /// What stands behind `key` and a blank on the next line.
   std::string_view behind(std::string_view key) {
     const std::string_view line = next();
