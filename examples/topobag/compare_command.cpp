@@ -147,7 +147,6 @@ void compare(const CompareArguments& arguments) {
   }
   RecognitionRun run = read_run(arguments, arguments.keyframes);
   const KnownPlaces places = places_of(run, arguments);
-  const Scoring scoring;
   Comparison comparison{run.map_set, run.query_set, topobag::to_string(places.truth.protocol()),
                         arguments.verified};
 
@@ -169,10 +168,10 @@ void compare(const CompareArguments& arguments) {
                      "it calls no pair false, so that every ranking is right and nothing is "
                      "compared; call fewer places true, or give a map that holds others too");
   }
-  score(run, scoring);
+  score(run, Scoring{});
   const topobag::ScoreMatrix scores = place_scores(run);
   comparison.methods.push_back(default_method(run, scores, places.truth));
-  DecidedScores decided{scores, outcomes_of(run, &places), scoring.limits,
+  DecidedScores decided{scores, outcomes_of(run, &places), run.scoring.limits,
                         arguments.one_sequence()};
   run.kept = KeptCandidates::best;
   std::vector<SimilarityScores> similarities = score_similarities(run.queries, run.map);

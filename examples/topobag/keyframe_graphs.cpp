@@ -180,7 +180,7 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
     throw InputError(poses, invalid.what());
   }
   if (options.matchable) require_usable(set, table, keyframes, options);
-  const std::string idle = idle_window_text(keyframes, options.window);
+  const std::string idle = idle_window_text(table.frames, options.window);
   if (!idle.empty()) std::cerr << "topobag: " << set << ": " << idle << '\n';
   return keyframes;
 }

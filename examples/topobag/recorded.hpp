@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -32,18 +31,18 @@ inline std::string milliseconds_question(double step) {
   return step >= longest ? ": are the stamps in milliseconds?" : "";
 }
 
-/// That a window fuses no key frame with another, in a sentence without its full stop; empty where
-/// it does, or fuses none on purpose.
-/// @param keyframes  by time, each with its `timestamp`, s
-/// @param window     s
-template <typename Keyframe>
-std::string idle_window_text(const std::vector<Keyframe>& keyframes, double window) {
+/// That a window fuses no frame with another, in a sentence without its full stop; empty where it
+/// does, or fuses none on purpose.
+/// @param frames  of a table, by time, each with its `timestamp`, s
+/// @param window  s
+template <typename Frame>
+std::string idle_window_text(const std::vector<Frame>& frames, double window) {
   const std::optional<double> step =
-      topobag::middle_step(keyframes, [](const Keyframe& keyframe) { return keyframe.timestamp; });
+      topobag::middle_step(frames, [](const Frame& frame) { return frame.timestamp; });
   if (!step || window <= 0.0 || *step <= window) return "";
   std::ostringstream text;
   text.precision(3);
-  text << "key frames are " << *step << " s apart in the median, a window of " << window
+  text << "frames are " << *step << " s apart in the median, a window of " << window
        << " s fuses nothing" << milliseconds_question(*step);
   return text.str();
 }

@@ -65,7 +65,7 @@ TEST_CASE("a window that fuses nothing is told, in milliseconds with what may be
   const std::string ms = restamped_sample(folder, "ms", 1e-3);
   const ProgramRun run = run_program("loops --min-gap 5 --nodes " + ms + sample_options);
   CAPTURE(run.err);
-  CHECK(run.err.find(ms + ": key frames are ") != std::string::npos);
+  CHECK(run.err.find(ms + ": frames are ") != std::string::npos);
   CHECK(run.err.find(" s apart in the median, a window of 3 s fuses nothing: are the stamps in "
                      "milliseconds?\n") != std::string::npos);
   const std::string frames = ms + ".frames.csv";
@@ -76,6 +76,5 @@ TEST_CASE("a window that fuses nothing is told, in milliseconds with what may be
                         "milliseconds?\n") != std::string::npos);
   CHECK(idle_text(0.4, 3.0).empty());
   CHECK(idle_text(33.3, 0.0).empty());
-  CHECK(idle_text(4.0, 3.0) ==
-        "key frames are 4 s apart in the median, a window of 3 s fuses nothing");
+  CHECK(idle_text(4.0, 3.0) == "frames are 4 s apart in the median, a window of 3 s fuses nothing");
 }
