@@ -25,6 +25,16 @@ double share_of(const topobag::TextLines& lines, std::string_view field, const c
                     (share > 1.0 ? "; divide px by the image's size" : ""));
 }
 
+/// What a line of so many fields is, which is none of a box.
+std::string fields_complaint(std::size_t fields) {
+  const std::string found = "here are " + std::to_string(fields) + " fields";
+  const std::string wanted = "a line is: class cx cy w h [score]";
+  if (fields == 7) return found + ", a track's id behind the score, or three corners; " + wanted;
+  if (fields < 7 || fields % 2 == 0) return found + "; " + wanted;
+  return found + ", as of a polygon of " + std::to_string(fields / 2) +
+         " corners, and boxes are needed; " + wanted;
+}
+
 std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading& reading) {
   std::vector<Detection> detections;
   std::istringstream stream(read_file(path));
@@ -32,9 +42,8 @@ std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading&
   std::vector<std::string_view> fields;
   for (std::string_view line; lines.next(line);) {
     topobag::TextLines::split(line, fields);
-    if (fields.size() != 5 && fields.size() != 6) {
-      throw lines.error("a line is: class cx cy w h [score]");
-    }
+    if (fields.size() != 5 && fields.size() != 6)
+      throw lines.error(fields_complaint(fields.size()));
     const auto label = topobag::parse_whole(fields[0]);
     if (!label) throw lines.error("the class '" + std::string(fields[0]) + "' is no whole number");
     if (*label < 0 || static_cast<std::size_t>(*label) >= reading.classes.size()) {
@@ -45,7 +54,11 @@ std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading&
     const double cx = share_of(lines, fields[1], "cx"), cy = share_of(lines, fields[2], "cy");
     const double w = share_of(lines, fields[3], "w"), h = share_of(lines, fields[4], "h");
     const double score = fields.size() == 6 ? lines.number(fields[5]) : 1.0;
-    if (!(score >= 0.0 && score <= 1.0)) throw lines.error("the score has to lie in [0, 1]");
+    if (!(score >= 0.0 && score <= 1.0)) {
+      const bool whole = topobag::parse_whole(fields[5]).has_value();
+      throw lines.error(std::string("the score has to lie in [0, 1]") +
+                        (whole ? "; is " + std::string(fields[5]) + " the id of a track?" : ""));
+    }
     detections.push_back({topobag::box_around({cx * reading.width - 0.5, cy * reading.height - 0.5},
                                               w * reading.width, h * reading.height),
                           reading.classes[static_cast<std::size_t>(*label)], score});
@@ -119,7 +132,11 @@ ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& i
     }
     of_image = yolo ? read_yolo_text((std::filesystem::path(path) / names[name]).string(), reading)
                     : coco[name].boxes;
-    const auto empty = [](const Detection& detection) { return !detection.box.is_valid(); };
+    const auto empty = [](const Detection& detection) {
+      const double rounding = 1e-3;  // px; of files that write few digits
+      const topobag::BoundingBox& box = detection.box;
+      return !box.is_valid() || box.width() < rounding || box.height() < rounding;
+    };
     const auto kept = std::remove_if(of_image.begin(), of_image.end(), empty);
     boxes.empty += static_cast<std::size_t>(of_image.end() - kept);
     of_image.erase(kept, of_image.end());

@@ -16,7 +16,7 @@ struct ImageBoxes {
   std::vector<std::vector<topobag::Detection>> of_image;
   std::size_t without_boxes = 0;  ///< images that the files say nothing of
   std::size_t other_images = 0;   ///< images with boxes that the sequence does not have
-  std::size_t empty = 0;          ///< boxes without width or height, left out
+  std::size_t empty = 0;          ///< boxes without width or height (below 0.001 px), left out
 };
 
 /// How boxes are read.

@@ -43,7 +43,9 @@ CalibrationRequest calibration_request(const CalibrationArguments& arguments,
     try {
       request.learnt = topobag::parse_calibration(read_file(arguments.saved));
     } catch (const topobag::FormatError& error) {
-      throw InputError(arguments.saved, error.what());
+      std::string why = error.what();
+      if (why.back() == '.') why.pop_back();
+      throw InputError(arguments.saved, why + "; give a file that --save-calibration wrote");
     }
   }
   KeyframeOptions options = recognition.keyframes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "camera_option.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -16,6 +17,7 @@ int pixels(const NumberList& v, std::size_t i) {
   if (!(v[i] >= 1.0 && v[i] <= largest)) {
     throw v.error("the image size is not in [1, 1e6] px");
   }
+  if (v[i] != std::floor(v[i])) throw v.error("the image size is in whole px");
   return static_cast<int>(v[i]);
 }
 
@@ -46,10 +48,24 @@ ImageSize parse_image_size(const std::string& text) {
 void require_principal_point(const topobag::PinholeCamera<>& camera) {
   // Of the size: calibrations are a few hundredths off, those of images of half the size .25.
   constexpr double farthest = 0.2;
-  const auto is_off = [](double center, int size) {
-    return std::abs(center - 0.5 * size) > farthest * size;
+  // Of the size: cx and cy of real cameras, which are not both off by more and right when swapped.
+  constexpr double near = 0.05;
+  const auto is_off = [](double center, int size, double share) {
+    return std::abs(center - 0.5 * size) > share * size;
   };
-  if (!is_off(camera.cx, camera.width) && !is_off(camera.cy, camera.height)) return;
+  const bool swapped =
+      is_off(camera.cx, camera.width, near) && is_off(camera.cy, camera.height, near) &&
+      !is_off(camera.cy, camera.width, near) && !is_off(camera.cx, camera.height, near);
+  if (swapped) {
+    std::ostringstream why;
+    why << "the principal point " << camera.cx << ", " << camera.cy << " is that of an image of "
+        << camera.width << " x " << camera.height
+        << " px with cx and cy swapped; the order is fx,fy,cx,cy";
+    throw InputError("--camera", why.str());
+  }
+  if (!is_off(camera.cx, camera.width, farthest) && !is_off(camera.cy, camera.height, farthest)) {
+    return;
+  }
   std::ostringstream why;
   why << "the principal point " << camera.cx << ", " << camera.cy
       << " lies far from the middle of an image of " << camera.width << " x " << camera.height
@@ -58,11 +74,12 @@ void require_principal_point(const topobag::PinholeCamera<>& camera) {
 }
 
 void require_focal_length(const topobag::PinholeCamera<>& camera) {
-  // Of the size: 157 degrees wide, more than any image without distortion, and 1.4 degrees. Lenses
-  // in mm lie below, px times ten or a hundred beyond.
-  constexpr double shortest = 0.1, longest = 40.0;
-  const auto require = [](const char* name, double focal, int size) {
-    if (focal >= shortest * size && focal <= longest * size) return;
+  // Of the size: 157 degrees wide, more than any image without distortion. Lenses in mm lie below.
+  // Of the longer side: 7 degrees, as a lens of 290 mm on film has; px times ten lie beyond.
+  constexpr double shortest = 0.1, longest = 8.0;
+  const int longer = std::max(camera.width, camera.height);
+  const auto require = [&](const char* name, double focal, int size) {
+    if (focal >= shortest * size && focal <= longest * longer) return;
     const double degrees = 57.29577951308232;
     std::ostringstream why;
     why.precision(5);
@@ -73,6 +90,15 @@ void require_focal_length(const topobag::PinholeCamera<>& camera) {
   };
   require("fx", camera.fx, camera.width);
   require("fy", camera.fy, camera.height);
+  // Images squeezed from 21:9 to a square have .43.
+  constexpr double narrowest = 0.4;
+  const double ratio = camera.fx / camera.fy;
+  if (ratio >= narrowest && ratio * narrowest <= 1.0) return;
+  std::ostringstream why;
+  why << "fx " << camera.fx << " and fy " << camera.fy
+      << " px differ by more than any image's pixels do in width and height; is there a digit too "
+         "few or too many?";
+  throw InputError("--camera", why.str());
 }
 
 CLI::Option* add_camera_option(CLI::App& command, const std::string& name,

@@ -25,12 +25,13 @@ CLI::Option* add_image_size_option(CLI::App& command, ImageSize& size);
 /// The camera, with `size` where it has none.
 topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageSize& size);
 
-/// Throws InputError where a focal length is that of no lens over the image, whose size is known:
-/// it is not in px.
+/// Throws InputError where a focal length is that of no lens over the image, whose size is known,
+/// or the two are of no image's pixels: they are not in px, or a digit is missing.
 void require_focal_length(const topobag::PinholeCamera<>& camera);
 
-/// Throws InputError where the principal point lies outside the image, whose size is known: the
-/// intrinsics are of another image size.
+/// Throws InputError where the principal point lies far from the middle of the image, whose size is
+/// known, or would lie in it with cx and cy the other way round: the intrinsics are of another
+/// image size, or in another order.
 void require_principal_point(const topobag::PinholeCamera<>& camera);
 
 }  // namespace program

@@ -116,14 +116,18 @@ void require_pixels(const std::vector<CocoImage>& images) {
 
 std::vector<CocoImage> read_coco(const std::string& path, const topobag::ClassCatalog& catalog) {
   const std::string text = read_file(path);
+  if (text.find_first_not_of(" \t\r\n") == text.npos) throw InputError(path, "the file is empty");
   const std::string_view beginning = topobag::trimmed(std::string_view(text).substr(0, 1000));
-  if (!beginning.empty() && std::string_view("{[\xEF").find(beginning.front()) == text.npos) {
+  const bool utf_16 = beginning.substr(0, 2) == "\xFF\xFE" || beginning.substr(0, 2) == "\xFE\xFF";
+  const bool json =
+      beginning.empty() || std::string_view("{[\xEF").find(beginning.front()) != text.npos;
+  if (!json && !utf_16) {
     throw InputError(path, "it is neither a folder of YOLO text files nor COCO's JSON");
   }
   std::vector<CocoImage> images;
   std::size_t number = 0;
   try {
-    const Json file = Json::parse(text);
+    const Json file = parsed_json(text);
     if (!file.is_array() && !file.contains("annotations")) {
       throw InputError("it is neither COCO's list of results nor a data set with 'annotations'");
     }

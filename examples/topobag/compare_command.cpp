@@ -16,6 +16,7 @@
 #include "keyframe_options.hpp"
 #include "look_up.hpp"
 #include "number_check.hpp"
+#include "option_use.hpp"
 #include "pair_scores.hpp"
 #include "place_scores.hpp"
 #include "progress.hpp"
@@ -130,11 +131,12 @@ RunSummary verified(RecognitionRun& run, const PairScores& scores, const topobag
 
 /// A method of the user's own, by its scores of the key frames of query and map.
 ComparedMethod own_method(RecognitionRun& run, const std::string& path,
-                          const topobag::PlaceTruth& truth, std::size_t count) {
+                          const topobag::PlaceTruth& truth, const Comparison& comparison) {
   const PairScores scores = read_pair_scores(path, false);
   ComparedMethod method{std::filesystem::path(path).filename().string(), "scores of " + path};
   method.labelled = label_scores(scores, truth, path);
-  method.poses = verified(run, scores, truth, count);
+  method.meaning += unscored_text(method.labelled, comparison.true_pairs + comparison.false_pairs);
+  method.poses = verified(run, scores, truth, comparison.verified);
   return method;
 }
 
@@ -145,7 +147,6 @@ void compare(const CompareArguments& arguments) {
   }
   RecognitionRun run = read_run(arguments, arguments.keyframes);
   const KnownPlaces places = places_of(run, arguments);
-  const Scoring scoring;
   Comparison comparison{run.map_set, run.query_set, topobag::to_string(places.truth.protocol()),
                         arguments.verified};
 
@@ -167,10 +168,10 @@ void compare(const CompareArguments& arguments) {
                      "it calls no pair false, so that every ranking is right and nothing is "
                      "compared; call fewer places true, or give a map that holds others too");
   }
-  score(run, scoring);
+  score(run, Scoring{});
   const topobag::ScoreMatrix scores = place_scores(run);
   comparison.methods.push_back(default_method(run, scores, places.truth));
-  DecidedScores decided{scores, outcomes_of(run, &places), scoring.limits,
+  DecidedScores decided{scores, outcomes_of(run, &places), run.scoring.limits,
                         arguments.one_sequence()};
   run.kept = KeptCandidates::best;
   std::vector<SimilarityScores> similarities = score_similarities(run.queries, run.map);
@@ -184,7 +185,7 @@ void compare(const CompareArguments& arguments) {
   }
   for (const std::string& path : arguments.own_scores) {
     const ProgressPart part = part_of_next();
-    comparison.methods.push_back(own_method(run, path, places.truth, arguments.verified));
+    comparison.methods.push_back(own_method(run, path, places.truth, comparison));
   }
   for (SimilarityScores& similarity : similarities) {
     const ProgressPart part = part_of_next();
@@ -237,7 +238,8 @@ void add_compare_command(CLI::App& app) {
   add_report_options(command, arguments->files);
   command.add_flag("--json", arguments->json, "Report in JSON");
   command.add_flag("--markdown", arguments->markdown, "The table in Markdown")->excludes("--json");
-  command.callback([arguments] {
+  command.callback([arguments, &command] {
+    require_stress_and_gravity(command);
     if (!arguments->one_sequence() && arguments->tables.map.empty()) {
       throw InputError("give either --nodes or --map and --query");
     }

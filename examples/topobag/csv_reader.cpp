@@ -80,6 +80,9 @@ void split_at_tabs(std::string_view line, std::vector<std::string_view>& fields)
 CsvReader::CsvReader(const std::string& path) : stream_(read_file(path)), lines_(stream_, path) {
   if (!read_line()) throw InputError(path, "the file is empty; a header row is needed");
   header_.assign(fields_.begin(), fields_.end());
+  if (header_.size() == 1 && header_.front().find(';') != std::string::npos) {
+    throw error("columns are separated by commas, not semicolons, and decimals have a point");
+  }
   for (auto it = header_.begin(); it != header_.end(); ++it) {
     if (parse_number(*it)) {
       throw error("'" + *it + "' stands where a header row names a column");

@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "csv_reader.hpp"
 #include "number_check.hpp"
+#include "option_use.hpp"
 #include "output_files.hpp"
 #include "pair_scores.hpp"
 #include "pose_files.hpp"
@@ -115,7 +116,8 @@ bool has_poses(const PairScores& scores) {
 void require_false_pairs(const topobag::PlaceTruth& truth, const PairScores& scores) {
   if (has_poses(scores) || count_pairs(truth, topobag::PairRelation::negative) > 0) return;
   throw InputError("--protocol " + topobag::to_string(truth.protocol()),
-                   "it calls no pair false, so that there is nothing to score");
+                   "it calls no pair false, so that there is nothing to score; call fewer places "
+                   "true, or give poses of other places too");
 }
 
 /// Throws where an option is about the poses of scores that have none.
@@ -229,7 +231,9 @@ void add_evaluate_command(CLI::App& app) {
   add_report_options(command, options->files);
   add_progress_option(command);
   command.add_flag("--json", options->as_json, "Print JSON");
-  command.callback([options] {
+  command.callback([options, &command] {
+    require_with(command, "--level", {"--bootstrap", "--against"});
+    require_with(command, "--seed", {"--bootstrap", "--against"});
     options->report.score_sign = options->lower_is_better ? -1.0 : 1.0;
     evaluate(*options);
   });

@@ -16,6 +16,7 @@
 #include "node_table.hpp"
 #include "number_check.hpp"
 #include "object_map.hpp"
+#include "option_use.hpp"
 #include "output_files.hpp"
 #include "path_kind.hpp"
 #include "recognition_options.hpp"
@@ -131,7 +132,11 @@ void add_explain_command(CLI::App& app) {
       ->capture_default_str();
   add_output_option(command, "--svg", arguments->svg, "File to draw the best candidate in");
   command.add_flag("--json", arguments->json, "All candidates in JSON");
-  command.callback([arguments] { explain_frame(*arguments); });
+  command.callback([arguments, &command] {
+    require_object_options(command, {arguments->tables.map, arguments->tables.query});
+    require_stress_and_gravity(command);
+    explain_frame(*arguments);
+  });
 }
 
 }  // namespace program

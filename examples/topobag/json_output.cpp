@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "input_error.hpp"
+
 namespace program {
 namespace {
 
@@ -41,6 +43,25 @@ std::string json_complaint(const std::exception& error) {
   const std::size_t numbering =
       said.rfind("[json.exception.", 0) == 0 ? said.find("] ") : said.npos;
   return numbering == said.npos ? said : said.substr(numbering + 2);
+}
+
+Json parsed_json(const std::string& text) {
+  const std::string start = text.substr(0, 2);
+  if (start == "\xFF\xFE" || start == "\xFE\xFF") {
+    throw InputError("this is UTF-16: save it as UTF-8");
+  }
+  if (text.find_first_not_of(" \t\r\n") == text.npos) throw InputError("the file is empty");
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    if (error.byte > text.size()) {
+      throw InputError("the JSON ends in the middle: the file is cut off; write it anew");
+    }
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(error.byte);
+    const auto line = 1 + std::count(text.begin(), end, '\n');
+    throw InputError("line " + std::to_string(line) + " is no JSON, byte " +
+                     std::to_string(error.byte) + " of the file");
+  }
 }
 
 Json versioned(const Json& json) {

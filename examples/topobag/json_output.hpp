@@ -24,6 +24,10 @@ std::string json_text(const Json& json, int indent = -1);
 /// What was wrong with a JSON text or a value of it, without the parser's own numbering.
 std::string json_complaint(const std::exception& error);
 
+/// The JSON of a file's text. Throws InputError, without the file's name, for what is none, and
+/// says what it is instead: nothing, cut off, in UTF-16.
+Json parsed_json(const std::string& text);
+
 /// The version of the shape of all JSON that the program writes, which examples/docs describes. It
 /// rises when a key goes or changes its meaning, not when one is added.
 inline constexpr int json_schema = 1;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include <topobag/edges/delaunay_edges2.hpp>
@@ -19,6 +21,7 @@
 #include "path_kind.hpp"
 #include "pose_units.hpp"
 #include "progress.hpp"
+#include "recorded.hpp"
 #include "table_checks.hpp"
 #include "typical_sizes.hpp"
 
@@ -48,6 +51,19 @@ Eigen::Isometry3d relative_pose(const FrameRow& previous, const FrameRow& curren
     }
   }
   return previous.T_world_camera->inverse() * *current.T_world_camera;
+}
+
+/// Throws topobag::InvalidValue where the camera is farther from where it was one key frame ago
+/// than a graph reaches: one of the two poses is not of this recording.
+void require_no_leap(const FrameRow& frame, const Eigen::Isometry3d& T_previous_current) {
+  const double farthest = 1048576.0;  // m; 2^20, as far as graphs are kept
+  const double distance = T_previous_current.translation().norm();
+  if (distance <= farthest) return;
+  std::ostringstream why;
+  why.precision(3);
+  why << "the pose of frame idx " << frame.idx << " is " << distance
+      << " m away from that of the key frame before; check tx, ty and tz of both";
+  throw topobag::InvalidValue(why.str());
 }
 
 /// What a frame of the table shows.
@@ -119,7 +135,10 @@ std::vector<Keyframe> keyframe_graphs(const NodeTable& table, const KeyframeOpti
     topobag::KeyframeSighting seen = sighting_of(*frame, options);
     Keyframe keyframe{frame->idx, frame->timestamp, frame->T_world_camera, {}, {}};
     if (options.window > 0.0) {
-      local.add(seen, relative_pose(previous ? *previous : *frame, *frame));
+      const Eigen::Isometry3d T_previous_current =
+          relative_pose(previous ? *previous : *frame, *frame);
+      require_no_leap(*frame, T_previous_current);
+      local.add(seen, T_previous_current);
       keyframe.graph = local.graph();
     } else {
       keyframe.graph = single_graph(std::move(seen), options.clusters);
@@ -136,8 +155,9 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
   NodeTable table = options.clusters ? read_cluster_table(set, options.classes.catalog)
                                      : read_node_table(set, options.classes.catalog);
   if (!options.trajectory.empty()) take_poses(options.trajectory, table.frames);
-  require_metres(options.trajectory.empty() ? set_name(set) + ".frames.csv" : options.trajectory,
-                 table.frames);
+  const std::string poses =
+      options.trajectory.empty() ? set_name(set) + ".frames.csv" : options.trajectory;
+  require_metres(poses, table.frames);
   if (options.clusters) {
     const TableStress& stress = options.stress;
     if (stress.depth_noise > 0.0 || stress.drop > 0.0 || stress.flip > 0.0) {
@@ -157,9 +177,11 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
   try {
     keyframes = keyframe_graphs(table, options);
   } catch (const topobag::InvalidValue& invalid) {
-    throw InputError(set_name(set) + ".frames.csv", invalid.what());
+    throw InputError(poses, invalid.what());
   }
   if (options.matchable) require_usable(set, table, keyframes, options);
+  const std::string idle = idle_window_text(table.frames, options.window);
+  if (!idle.empty()) std::cerr << "topobag: " << set << ": " << idle << '\n';
   return keyframes;
 }
 

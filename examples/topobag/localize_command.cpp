@@ -42,7 +42,7 @@ bool lacks_vertical(const LocalizeArguments& arguments, const RecognitionRun& ru
 /// Throws InputError where an option is given that this run has no use for.
 void require_uses(const CLI::App& command, const LocalizeArguments& arguments) {
   require_object_options(command, {arguments.tables.map, arguments.tables.query});
-  require_with(command, "--gravity-noise", {"--world-up", "--map-world-up"});
+  require_stress_and_gravity(command);
   topobag::parse_protocol(arguments.report.protocol);
   require_with(command, "--protocol", {"--report", "--report-data", "--pairs"});
 }
@@ -51,8 +51,7 @@ void localize(const LocalizeArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
   RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
-  run.before_thinning = run.queries.size();
-  run.queries = thinned(run.queries, common.query_interval);
+  thin_queries(run, common.query_interval);
   if (arguments.unknown_scale) run.scale = topobag::ScaleRange{};
   run.kept = kept_for(arguments.report);
   look_up_in_map(run, calibration_request(arguments.calibration, common, run.classes),

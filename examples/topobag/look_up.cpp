@@ -184,6 +184,8 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
   const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
   if (run.calibrated) run.calibrated->places = relocalizer.map().places();
   run.records.clear();
+  run.leave_out_radius = leave_out_radius;
+  run.left_out_of_map = 0;
   Progress progress(run.queries.size(), "key frames looked up");
   for (const Keyframe& query : run.queries) {
     if (leave_out_radius) {
@@ -191,6 +193,10 @@ void look_up_in_map(RecognitionRun& run, const CalibrationRequest& request,
       options.retrieval.filter = [own](topobag::KeyframeId, const topobag::EntryInfo& info) {
         return !own.contains(info.T_world_camera->translation());
       };
+      run.left_out_of_map += static_cast<std::size_t>(
+          std::count_if(run.map.begin(), run.map.end(), [&](const Keyframe& keyframe) {
+            return own.contains(keyframe.T_world_camera->translation());
+          }));
     }
     run.records.push_back(
         timed(run.kept, [&] { return relocalizer.localize(query.graph, options); }));

@@ -28,12 +28,12 @@ struct LoopsArguments {
   CalibrationArguments calibration;
 };
 
-void find_loops(const LoopsArguments& arguments) {
+void find_loops(const CLI::App& command, const LoopsArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
   RecognitionRun run = read_sequence(arguments.nodes, common.keyframes, common.image_size);
-  run.before_thinning = run.queries.size();
-  run.queries = thinned(run.queries, common.query_interval);
+  require_vertical(command, arguments.nodes, run.map);
+  thin_queries(run, common.query_interval);
   run.kept = kept_for(arguments.report);
   look_up_earlier(run, arguments.min_gap,
                   calibration_request(arguments.calibration, common, run.classes));
@@ -64,10 +64,10 @@ void add_loops_command(CLI::App& app) {
   add_recognition_report_options(command, arguments->report);
   command.callback([arguments, &command] {
     require_object_options(command, {arguments->nodes});
-    require_with(command, "--gravity-noise", {"--world-up"});
+    require_stress_and_gravity(command);
     topobag::parse_protocol(arguments->report.protocol);
     require_with(command, "--protocol", {"--report", "--report-data", "--pairs"});
-    find_loops(*arguments);
+    find_loops(command, *arguments);
   });
 }
 

@@ -51,7 +51,7 @@ std::string left_out_text(const MapArguments& arguments, const std::vector<Keyfr
   return text.str();
 }
 
-void make_map(const MapArguments& arguments) {
+void make_map(const CLI::App& command, const MapArguments& arguments) {
   if (!is_fleet_address(arguments.out)) require_file("--out", arguments.out);
   topobag::require_utf8(arguments.session, "--session");
   KeyframeOptions options = arguments.keyframes;
@@ -59,6 +59,7 @@ void make_map(const MapArguments& arguments) {
   if (goes_on) options.classes = classes_of_maps({arguments.out}, options.classes);
   options.camera = with_size(options.camera, arguments.image_size);
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
+  require_vertical(command, arguments.nodes, keyframes);
   const std::string session =
       arguments.session.empty() ? name_of(set_name(arguments.nodes)) : arguments.session;
   write_saved_map(arguments.out, session, keyframes, options.classes, arguments.append);
@@ -91,8 +92,8 @@ void add_map_command(CLI::App& app) {
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
   command.callback([arguments, &command] {
     require_object_options(command, {arguments->nodes});
-    require_with(command, "--gravity-noise", {"--world-up"});
-    make_map(*arguments);
+    require_stress_and_gravity(command);
+    make_map(command, *arguments);
   });
 }
 

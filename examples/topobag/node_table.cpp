@@ -16,6 +16,7 @@
 #include "depth_column.hpp"
 #include "label_column.hpp"
 #include "path_kind.hpp"
+#include "recorded.hpp"
 
 namespace program {
 namespace {
@@ -181,11 +182,17 @@ std::vector<FrameRow> read_frames(const std::string& set) {
     if (!frames.empty() && row.timestamp < frames.back().timestamp) {
       throw csv.error("the timestamp is before that of the row above; sort the frames by time");
     }
+    if (!frames.empty() && row.timestamp == frames.back().timestamp) {
+      throw csv.error(
+          "the timestamp is that of the row above; write stamps with their fractions of a second, "
+          "and each image once");
+    }
     row.T_world_camera = pose.read();
     row.depth = read_depth(csv, depth);
     frames.push_back(std::move(row));
   }
   if (frames.empty()) throw InputError(path, "the table holds no frame");
+  require_recorded(path, frames, [](const FrameRow& one) { return one.timestamp; });
   return frames;
 }
 

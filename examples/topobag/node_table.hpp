@@ -42,7 +42,8 @@ struct NodeTable {
   std::string appearance{};  ///< name of the method that described the objects; empty = none did
 };
 
-/// Reads `set`.frames.csv. Throws topobag::Error with the file and the line.
+/// Reads `set`.frames.csv. Throws topobag::Error with the file and the line, also where stamps do
+/// not increase or are no seconds (`topobag::require_recording`).
 std::vector<FrameRow> read_frames(const std::string& set);
 
 /// The name of a table; each of its files stands for it.

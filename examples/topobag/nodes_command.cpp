@@ -158,7 +158,7 @@ void add_nodes_command(CLI::App& app) {
   const auto options = std::make_shared<NodesOptions>();
   command.add_option("--images", options->images, "Sequence in the TUM RGB-D layout")->required();
   CLI::Option_group& detector = *command.add_option_group("detector");
-  detector.add_option("--model", options->model, "YOLO network, ONNX");
+  CLI::Option* const model = detector.add_option("--model", options->model, "YOLO network, ONNX");
   detector.add_option("--boxes", options->boxes,
                       "Boxes of another detector: a folder of YOLO text files, or COCO's JSON");
   detector.require_option(1);
@@ -178,17 +178,21 @@ void add_nodes_command(CLI::App& app) {
           one_of(std::map<std::string, topobag::YoloHead>{{"yolox", topobag::YoloHead::yolox},
                                                           {"yolov5", topobag::YoloHead::yolov5},
                                                           {"yolov8", topobag::YoloHead::yolov8}}))
-      ->default_str("yolox");
+      ->default_str("yolox")
+      ->needs(model);
   command
       .add_option("--min-confidence", options->yolo.min_confidence, "Least score of a detection")
       ->check(number_within(0.0, 1.0))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(model);
   command.add_option("--nms", options->yolo.max_iou, "Overlap (IoU) of two objects of a class")
       ->check(number_within(0.0, 1.0))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(model);
   command.add_option("--input-size", options->yolo.input_size, "Side of the network's input, px")
       ->check(CLI::Range(32, 4096))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(model);
   command
       .add_option("--appearance", options->appearance,
                   "What of an object's looks is kept: none, color, or layer:NAME, the features of "

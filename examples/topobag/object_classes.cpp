@@ -49,9 +49,30 @@ topobag::Dynamics dynamics_of(const topobag::TextLines& lines, const std::string
   throw lines.error("the dynamics '" + text + "' are none of low, medium and high");
 }
 
+/// Throws where a name is certainly none: a number, or what another format puts beside a name.
+void require_name(const topobag::TextLines& lines, const std::string& name) {
+  const std::size_t digits = name.find_first_not_of("0123456789 ");
+  const std::string advice = ": a line is name[, dynamics[, look-alikes[, typical size]]]";
+  if (digits != name.npos && digits > 0 && name[digits] == ':') {
+    throw lines.error("'" + name + "' is a number and a name" + advice +
+                      ", and a class has the number of its line, from 0");
+  }
+  for (const char separator : {';', '\t'}) {
+    if (name.find(separator) == name.npos) continue;
+    throw lines.error("'" + name + "' holds a " + (separator == ';' ? "semicolon" : "tab") +
+                      advice + ", separated by commas");
+  }
+  const bool letter = std::any_of(name.begin(), name.end(), [](unsigned char c) {
+    return c >= 0x80 || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  });
+  if (name.empty() || letter) return;  // a catalog refuses the empty name itself
+  throw lines.error("'" + name + "' has no letter, which a class's name has" + advice);
+}
+
 void add_class(const topobag::TextLines& lines, const std::vector<std::string>& fields,
                topobag::ClassCatalog& catalog) {
   const std::string& name = fields[0];
+  require_name(lines, name);
   if (const auto known = catalog.find(name)) {
     throw lines.error("'" + name + "' is class " + std::to_string(topobag::value(*known)) +
                       " already; give each class a name of its own");
@@ -71,6 +92,11 @@ std::array<double, 2> size_of(const topobag::TextLines& lines, const std::string
   }
   if (!good) {
     throw lines.error("the typical size '" + text + "' is no width x height in metres");
+  }
+  const double largest = 20.0;  // m; a lorry with its trailer is 18.75 long
+  if (size[0] > largest || size[1] > largest) {
+    throw lines.error("the typical size '" + text +
+                      "' is larger than 20 m: sizes are in metres, 50 cm is 0.5");
   }
   return size;
 }

@@ -39,7 +39,8 @@ struct ObjectClasses {
 ///
 /// A class has the number of its line among these, from 0. Dynamics are low (as where they are left
 /// out), medium or high; look-alikes are names of the file's classes between bars, said by either
-/// of the two; a size is width x height in metres. Blank lines and `#` comment lines do not count.
+/// of the two; a size is width x height in metres, each up to 20. A name has a letter, and neither
+/// a semicolon nor a tab. Blank lines and `#` comment lines do not count.
 /// Throws topobag::Error with the file and the line.
 ObjectClasses read_object_classes(const std::string& path);
 

@@ -111,7 +111,7 @@ std::vector<MappedObject> read_object_map(const std::string& path,
   std::vector<MappedObject> objects;
   std::size_t number = 0;
   try {
-    const Json file = Json::parse(text);
+    const Json file = parsed_json(text);
     if (!file.contains("nodes") || !file.at("nodes").is_array()) {
       throw InputError("it is no map of objects, which is JSON with a list of 'nodes'");
     }

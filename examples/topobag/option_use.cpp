@@ -53,9 +53,27 @@ void require_with(const CLI::App& command, const std::string& option,
   std::string names;
   for (const std::string& other : others) {
     if (is_given(command, other)) return;
+    if (command.get_option_no_throw(other) == nullptr) continue;
     names += (names.empty() ? "" : " or ") + other;
   }
   throw InputError(option, "it does nothing without " + names + "; give that, or leave it out");
+}
+
+void require_stress_and_gravity(const CLI::App& command) {
+  require_with(command, "--gravity-noise", {"--world-up", "--map-world-up"});
+  require_with(command, "--seed",
+               {"--depth-noise", "--drop", "--flip", "--world-up", "--map-world-up"});
+}
+
+void require_vertical(const CLI::App& command, const std::string& set,
+                      const std::vector<Keyframe>& keyframes) {
+  const bool known = std::any_of(keyframes.begin(), keyframes.end(), [](const Keyframe& keyframe) {
+    return keyframe.graph.gravity().has_value();
+  });
+  if (known || !is_given(command, "--world-up")) return;
+  throw InputError("--world-up", "no key frame of " + set +
+                                     " has a pose, by which it would know which way is down; give "
+                                     "--trajectory, or leave it out");
 }
 
 void require_object_options(const CLI::App& command, const std::vector<std::string>& paths) {

@@ -6,11 +6,24 @@
 
 #include <CLI/CLI.hpp>
 
+#include "keyframe.hpp"
+
 namespace program {
 
-/// Throws InputError where an option is given that does nothing without one of `others`.
+/// Throws InputError where an option is given that does nothing without one of `others`, of which
+/// the command has one at least.
 void require_with(const CLI::App& command, const std::string& option,
                   const std::vector<std::string>& others);
+
+/// The same of the options that say how stress and the vertical are drawn, where neither is asked
+/// for.
+void require_stress_and_gravity(const CLI::App& command);
+
+/// Throws InputError where it is told which way is up in a world of which no key frame knows its
+/// pose.
+/// @param set  the key frames' table
+void require_vertical(const CLI::App& command, const std::string& set,
+                      const std::vector<Keyframe>& keyframes);
 
 /// Throws InputError where one of the options is given, and says why not.
 void require_without(const CLI::App& command, const std::vector<std::string>& options,

@@ -8,6 +8,7 @@
 #include <topobag/evaluation/protocol_text.hpp>
 
 #include "input_error.hpp"
+#include "path_kind.hpp"
 
 namespace program {
 namespace {
@@ -23,6 +24,12 @@ bool is_npy(const std::string& path) {
 PairScores read_pair_scores(const std::string& path, bool lower_is_better) {
   if (std::filesystem::is_directory(path)) {
     throw InputError(path, "it is a folder; name a file in it");
+  }
+  const PathKind kind = path_kind(path);
+  if (kind == PathKind::snapshot || kind == PathKind::sqlite_map) {
+    throw InputError(path,
+                     "it is a saved map; scores are a matrix (.npy or CSV) or a list (CSV with the "
+                     "header query,candidate,score)");
   }
   PairScores scores;
   if (is_npy(path)) {
@@ -56,6 +63,13 @@ topobag::LabelledScores label_scores(const PairScores& scores, const topobag::Pl
   if (!labelled.scores.empty()) return labelled;
   throw InputError(path, "none of its scores is of a pair that the protocol " +
                              topobag::to_string(truth.protocol()) + " calls true or false");
+}
+
+std::string unscored_text(const topobag::LabelledScores& labelled, std::size_t pairs) {
+  const std::size_t scored = labelled.scores.size();
+  if (scored >= pairs) return "";
+  return ", without one for " + std::to_string(pairs - scored) + " of the " +
+         std::to_string(pairs) + " pairs that are true or false";
 }
 
 std::size_t count_pairs(const topobag::PlaceTruth& truth, topobag::PairRelation relation) {

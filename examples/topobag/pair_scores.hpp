@@ -24,6 +24,10 @@ PairScores read_pair_scores(const std::string& path, bool lower_is_better);
 topobag::LabelledScores label_scores(const PairScores& scores, const topobag::PlaceTruth& truth,
                                      const std::string& path);
 
+/// How many of the pairs that the truth calls true or false have no score, as the end of a
+/// sentence; empty where all have one.
+std::string unscored_text(const topobag::LabelledScores& labelled, std::size_t pairs);
+
 /// How many pairs the protocol says this of. O(queries · candidates).
 std::size_t count_pairs(const topobag::PlaceTruth& truth, topobag::PairRelation relation);
 

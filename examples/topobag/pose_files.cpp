@@ -2,6 +2,7 @@
 #include "pose_files.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include <topobag/evaluation/kitti_trajectory.hpp>
@@ -9,6 +10,8 @@
 
 #include "csv_pose.hpp"
 #include "csv_reader.hpp"
+#include "path_kind.hpp"
+#include "recorded.hpp"
 
 namespace program {
 namespace {
@@ -22,7 +25,7 @@ PoseFormat format_of(const std::string& path) {
   topobag::TextLines::split(line, fields);
   if (topobag::parse_number(fields.front())) {
     if (fields.size() == 12) return PoseFormat::kitti;
-    if (fields.size() == 8) return PoseFormat::tum;
+    if (fields.size() == 8 || topobag::names_w_first(lines.heading())) return PoseFormat::tum;
     throw lines.error("here are " + std::to_string(fields.size()) +
                       " numbers; poses are lines of 8 (TUM: timestamp tx ty tz qx qy qz qw) or 12 "
                       "(KITTI: a 3 x 4 matrix)");
@@ -50,13 +53,16 @@ topobag::Trajectory read_frame_poses(const std::string& path) {
     }
     trajectory.push_back({stamp, *T_world_camera});
   }
+  require_recorded(path, trajectory, [](const topobag::StampedPose& one) { return one.stamp; });
   return trajectory;
 }
 
 }  // namespace
 
-PoseFile read_pose_file(const std::string& path, const std::string& times,
+PoseFile read_pose_file(const std::string& name, const std::string& times,
                         topobag::RepeatedPoses repeated) {
+  const bool is_set = !std::filesystem::exists(name) && path_kind(name) == PathKind::table;
+  const std::string path = is_set ? name + ".frames.csv" : name;
   PoseFile file;
   file.format = format_of(path);
   file.stamped = file.format != PoseFormat::kitti || !times.empty();

@@ -19,8 +19,9 @@ struct PoseFile {
 
 /// Reads poses in TUM, KITTI or OpenLORIS format, or a node table's SET.frames.csv; the format is
 /// told from the first line of data. Never without a pose. Throws topobag::Error.
+/// @param name   of the file, or of a table, SET
 /// @param times  times.txt for a KITTI trajectory, else not read; empty = stamps 0, 1, 2, …
-PoseFile read_pose_file(const std::string& path, const std::string& times = "",
+PoseFile read_pose_file(const std::string& name, const std::string& times = "",
                         topobag::RepeatedPoses repeated = topobag::RepeatedPoses::drop);
 
 /// The one trajectory of a file. Throws InputError when it has several, or times

@@ -13,6 +13,7 @@
 #include "json_output.hpp"
 #include "keyframe_json.hpp"
 #include "pose_numbers.hpp"
+#include "run_conditions.hpp"
 
 namespace program {
 namespace {
@@ -139,6 +140,7 @@ std::string to_json(const RecognitionRun& run) {
   if (run.T_map_query_world) {
     json["T_map_query_world"] = pose_numbers(*run.T_map_query_world);
   }
+  json.update(conditions_json(run));
   if (run.calibrated) json["calibration"] = calibration_json(*run.calibrated);
   for (std::size_t i = 0; i < run.records.size(); ++i) {
     if (run.records[i].recognition) json["matches"].push_back(match_json(run, i, catalog));
@@ -151,6 +153,8 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
   std::ostringstream out;
   write_sequence(out, "map", run.map_set, run.map);
   write_sequence(out, "query", run.query_set, run.queries);
+  const std::string left_out = left_out_text(run);
+  if (!left_out.empty()) out << "left out: " << left_out << '\n';
   const auto row = [&](const char* name, std::size_t count) -> std::ostream& {
     return out << "  " << std::left << std::setw(12) << name << std::right << std::setw(5) << count
                << "  ";
@@ -169,8 +173,7 @@ std::string to_table(const RecognitionRun& run, const topobag::PoseLimits& limit
   row("correct", summary.correct) << "within " << limits.correct_translation_m << " m and "
                                   << limits.correct_rotation_deg << "° of the truth\n";
   row("imprecise", summary.imprecise) << "between: the right objects, a loose pose\n";
-  row("wrong", summary.wrong) << "beyond " << limits.wrong_translation_m << " m or "
-                              << limits.wrong_rotation_deg << "°, or known to be another place\n";
+  row("wrong", summary.wrong) << wrong_text(run) << '\n';
   if (summary.unscored > 0) row("unscored", summary.unscored) << "the truth is not known\n";
   out << '\n' << std::fixed;
   if (summary.median_translation_error_m) {

@@ -39,6 +39,12 @@ std::string name_of(const std::string& set) {
   return std::filesystem::path(set).filename().string();
 }
 
+void thin_queries(RecognitionRun& run, double interval) {
+  run.query_interval = interval;
+  run.before_thinning = run.queries.size();
+  run.queries = thinned(run.queries, interval);
+}
+
 void require_queries(const RecognitionRun& run, const std::string& lacking) {
   std::size_t unusable = 0;
   for (const QueryRecord& record : run.records) {
@@ -95,7 +101,9 @@ JudgedMatch judge_match(const RecognitionRun& run, std::size_t query,
       topobag::pose_error(T_candidate_query, match.pose->T_candidate_query);
   const bool elsewhere =
       scoring.place_radius && T_candidate_query.translation().norm() > *scoring.place_radius;
-  return {error, elsewhere ? PoseVerdict::wrong : topobag::judge(error, scoring.limits)};
+  const PoseVerdict by_pose = topobag::judge(error, scoring.limits);
+  return {error, elsewhere ? PoseVerdict::wrong : by_pose,
+          elsewhere && by_pose != PoseVerdict::wrong};
 }
 
 std::optional<Eigen::Isometry3d> aligned_worlds(const RecognitionRun& run,
@@ -128,6 +136,7 @@ std::optional<Eigen::Isometry3d> aligned_worlds(const RecognitionRun& run,
 }
 
 void score(RecognitionRun& run, const Scoring& scoring) {
+  run.scoring = scoring;
   if (scoring.align_worlds) run.T_map_query_world = aligned_worlds(run, scoring.limits);
   if (scoring.place_radius) require_poses(run, "--place-radius");
   for (std::size_t i = 0; i < run.records.size(); ++i) {
@@ -136,6 +145,7 @@ void score(RecognitionRun& run, const Scoring& scoring) {
     const JudgedMatch judged = judge_match(run, i, *record.recognition.accepted, scoring);
     record.error = judged.error;
     record.verdict = judged.verdict;
+    record.wrong_by_radius = judged.wrong_by_radius;
   }
 }
 
@@ -153,6 +163,7 @@ RunSummary summarize(const RecognitionRun& run) {
     if (record.verdict == topobag::PoseVerdict::correct) ++summary.correct;
     if (record.verdict == topobag::PoseVerdict::imprecise) ++summary.imprecise;
     if (record.verdict == topobag::PoseVerdict::wrong) ++summary.wrong;
+    if (record.wrong_by_radius) ++summary.wrong_by_radius;
     if (!record.verdict) ++summary.unscored;
     if (!record.error) continue;
     translations.push_back(record.error->translation_m);

@@ -42,6 +42,7 @@ struct QueryRecord {
   // Of an accepted match:
   std::optional<topobag::PoseError> error;      ///< where both true poses are known
   std::optional<topobag::PoseVerdict> verdict;  ///< where it can be told
+  bool wrong_by_radius = false;                 ///< alone: its pose would not be wrong
 
   std::vector<TriedCandidate> tried{};  ///< all, best first, where they are kept
 
@@ -62,6 +63,14 @@ struct CalibratedRun {
   std::size_t places = 0;  ///< of the map that was looked up in, in the end
 };
 
+/// What an accepted match is held against.
+struct Scoring {
+  topobag::PoseLimits limits;
+  bool different_places = false;  ///< map and query share no place: every accepted match is wrong
+  std::optional<double> place_radius{};  ///< m; a match of cameras farther apart is wrong
+  bool align_worlds = false;             ///< the poses of map and queries are of two worlds
+};
+
 /// Key frames looked up in a map.
 struct RecognitionRun {
   std::string map_set;
@@ -79,8 +88,17 @@ struct RecognitionRun {
   /// accepted matches were correct by it says how far to believe it.
   std::optional<Eigen::Isometry3d> T_map_query_world{};
 
-  std::size_t before_thinning = 0;  ///< queries before `--query-interval`; 0 = not thinned
+  double query_interval = 0.0;      ///< s from one query to the next; 0 = every key frame
+  std::size_t before_thinning = 0;  ///< queries before that; 0 = not thinned
+
+  std::optional<double> leave_out_radius{};  ///< m; the map's nearer key frames were left out
+  std::size_t left_out_of_map = 0;           ///< of those, over all queries
+
+  Scoring scoring{};  ///< by which `score` judged
 };
+
+/// Leaves the run the queries that follow each other by at least `interval` s; 0 = all.
+void thin_queries(RecognitionRun& run, double interval);
 
 /// The name of a table without its folder.
 std::string name_of(const std::string& set);
@@ -98,18 +116,11 @@ void require_queries(const RecognitionRun& run,
 /// it. They find themselves.
 std::size_t count_in_map(const RecognitionRun& run);
 
-/// What an accepted match is held against.
-struct Scoring {
-  topobag::PoseLimits limits;
-  bool different_places = false;  ///< map and query share no place: every accepted match is wrong
-  std::optional<double> place_radius{};  ///< m; a match of cameras farther apart is wrong
-  bool align_worlds = false;             ///< the poses of map and queries are of two worlds
-};
-
 /// What the truth says of a candidate's pose.
 struct JudgedMatch {
   std::optional<topobag::PoseError> error;      ///< where both true poses are known
   std::optional<topobag::PoseVerdict> verdict;  ///< where it can be told
+  bool wrong_by_radius = false;                 ///< alone: its pose would not be wrong
 };
 
 /// Holds a candidate of a query against the truth. Precondition: it has a pose.
@@ -143,6 +154,7 @@ struct RunSummary {
   std::size_t correct = 0;
   std::size_t imprecise = 0;
   std::size_t wrong = 0;
+  std::size_t wrong_by_radius = 0;                   ///< of these: by `Scoring::place_radius` alone
   std::size_t unscored = 0;                          ///< accepted, but the truth is not known
   std::optional<double> median_translation_error_m;  ///< over the accepted with a true pose
   std::optional<double> median_rotation_error_deg;

@@ -87,7 +87,7 @@ void add_relate_command(CLI::App& app) {
   command.callback([arguments, &command] {
     require_without(command, {"--object-scale", "--object-deviation", "--map-relation"},
                     "it is what relate learns; leave it out");
-    require_with(command, "--gravity-noise", {"--world-up"});
+    require_stress_and_gravity(command);
     relate(*arguments);
   });
 }

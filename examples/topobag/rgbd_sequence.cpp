@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "csv_reader.hpp"
 #include "frame_poses.hpp"
 #include "input_error.hpp"
+#include "recorded.hpp"
 
 namespace program {
 namespace {
@@ -29,6 +31,7 @@ struct StampedFile {
 /// Reads lines of `entries` times "timestamp file"; files are relative to the list's folder.
 std::vector<std::vector<StampedFile>> read_list(const fs::path& list, std::size_t entries) {
   std::vector<std::vector<StampedFile>> rows;
+  std::set<double> known;
   std::istringstream stream(read_file(list.string()));
   topobag::TextLines lines(stream, list.string());
   std::vector<std::string_view> fields;
@@ -43,6 +46,18 @@ std::vector<std::vector<StampedFile>> read_list(const fs::path& list, std::size_
       const double timestamp = lines.number(fields[i]);
       lines.located([&] { topobag::require_seconds(timestamp); });
       row.push_back({timestamp, (list.parent_path() / fields[i + 1]).string()});
+    }
+    const double farthest = 0.1;  // s; a camera that takes ten depth images a second has one nearer
+    const double gap = std::abs(row.back().timestamp - row.front().timestamp);
+    const double rounding = 1e-6;  // s; of the stamps' last digit
+    if (gap > farthest + rounding) {
+      std::ostringstream why;
+      why << "the two images are " << gap << " s apart, farther than " << farthest
+          << " s; pair those of one moment";
+      throw lines.error(why.str());
+    }
+    if (!known.insert(row.front().timestamp).second) {
+      throw lines.error("an image of this time is there already; write each once");
     }
     rows.push_back(std::move(row));
   }
@@ -90,6 +105,7 @@ RgbdSequence read_pairs(const fs::path& folder) {
   std::stable_sort(frames.begin(), frames.end(), [](const RgbdFrame& a, const RgbdFrame& b) {
     return a.timestamp < b.timestamp;
   });
+  require_recorded(folder.string(), frames, [](const RgbdFrame& frame) { return frame.timestamp; });
   return sequence;
 }
 

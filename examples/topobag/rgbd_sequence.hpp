@@ -25,9 +25,10 @@ struct RgbdSequence {
 };
 
 /// Reads a sequence in the layout of the TUM RGB-D benchmark. Pairs come from associations.txt
-/// (time rgb time depth) or, without one, from rgb.txt and depth.txt: the depth image nearest in
-/// time, at most 20 ms away. Poses are interpolated in groundtruth.txt where that is there; it has
-/// to reach one image at least. Throws topobag::Error.
+/// (time rgb time depth, at most 0.1 s apart) or, without one, from rgb.txt and depth.txt: the
+/// depth image nearest in time, at most 20 ms away. No two colour images are of one time. Poses are
+/// interpolated in groundtruth.txt where that is there; it has to reach one image at least. Throws
+/// topobag::Error.
 RgbdSequence read_tum_sequence(const std::string& folder);
 
 }  // namespace program

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -12,6 +13,7 @@
 #include <topobag/evaluation/trajectory_error.hpp>
 
 #include "input_error.hpp"
+#include "recorded.hpp"
 #include "report/html_text.hpp"
 #include "trajectory_report.hpp"
 
@@ -57,10 +59,41 @@ void require_whole_frames(const topobag::RelativeStep& step) {
 
 void require_alignable(const std::string& estimate,
                        const std::map<int, topobag::SequenceScore>& scores) {
-  if (scores.begin()->second.pairs.size() != 1) return;
-  throw InputError(estimate,
-                   "one pose alone is matched, which an alignment brings onto the truth wherever "
-                   "it is; give --alignment none");
+  const std::size_t matched = scores.begin()->second.pairs.size();
+  if (matched == 0 || matched >= 3) return;
+  throw InputError(estimate, matched == 1
+                                 ? "one pose alone is matched, which an alignment brings onto the "
+                                   "truth wherever it is; give --alignment none"
+                                 : "two poses alone are matched, which an alignment brings onto "
+                                   "the truth wherever they are, but for their distance; give "
+                                   "--alignment none, or three poses at least");
+}
+
+std::string score_notes(const std::string& estimate, const topobag::LifelongTrajectories& poses,
+                        const std::map<int, topobag::SequenceScore>& scores,
+                        const topobag::LifelongRules& rules) {
+  std::ostringstream notes;
+  std::size_t all = 0, matched = 0;
+  for (const auto& [number, score] : scores) {
+    all += score.poses;
+    matched += score.pairs.size();
+  }
+  if (2 * matched < all) {
+    notes << "topobag: " << estimate << ": " << all - matched << " of " << all
+          << " poses have no true poses around them within --max-gap " << rules.max_gap_s
+          << " s, and are not scored\n";
+  }
+  notes.precision(3);
+  for (const auto& [number, sequence] : poses.sequences) {
+    const auto step =
+        topobag::middle_step(sequence, [](const topobag::StampedPose& pose) { return pose.stamp; });
+    const std::string question = step ? milliseconds_question(*step) : "";
+    if (question.empty() || *step <= rules.max_pose_interval_s) continue;
+    notes << "topobag: " << estimate << ": poses are " << *step
+          << " s apart in the median, and one counts for --max-pose-interval "
+          << rules.max_pose_interval_s << " s" << question << '\n';
+  }
+  return notes.str();
 }
 
 void require_steps(const topobag::RelativeStep& step,

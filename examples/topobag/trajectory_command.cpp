@@ -133,6 +133,7 @@ void score_trajectory(const TrajectoryOptions& options) {
     require_one_unit(options.groundtruth, options.estimate, scores);
   }
   if (options.asks_for_steps) require_steps(options.step, scores);
+  std::cerr << score_notes(options.estimate, estimate.content, scores, rules);
 
   Json result;
   result["groundtruth"] = options.groundtruth;

@@ -109,7 +109,7 @@ void add_view_command(CLI::App& app) {
     if (tables.query.empty()) require_table_options(command, tables.map);
     require_object_options(command, {tables.map, tables.query});
     require_with(command, "--min-gap", {"--loops"});
-    require_with(command, "--gravity-noise", {"--world-up", "--map-world-up"});
+    require_stress_and_gravity(command);
     view(*arguments);
   });
 }

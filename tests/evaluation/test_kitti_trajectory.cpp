@@ -40,7 +40,8 @@ TEST_CASE("what is not a KITTI trajectory is refused", "[evaluation]") {
   CHECK_THROWS_AS(kitti_poses("-1 0 0 0 0 1 0 0 0 0 1 0\n"), Error);  // mirrored
   CHECK_THROWS_AS(kitti_poses("1 0 0 nan 0 1 0 0 0 0 1 0\n"), Error);
   Trajectory trajectory = kitti_poses(two_poses);
-  for (const char* text : {"0\n", "0\n0\n", "0\n1\n2\n", "0 0\n1 1\n", "0\nnan\n"}) {
+  for (const char* text :
+       {"0\n", "0\n0\n", "0\n1\n2\n", "0 0\n1 1\n", "0\nnan\n", "0\n103700000\n"}) {
     std::istringstream times(text);
     CHECK_THROWS_AS(read_kitti_times(times, "times.txt", trajectory), Error);
     CHECK(trajectory[1].stamp == 1.0);

@@ -53,6 +53,7 @@ TEST_CASE("what is not an OpenLORIS file is refused", "[evaluation]") {
   CHECK_THROWS_AS(lifelong_in(header + "seq: 1\n"), Error);
   CHECK_THROWS_AS(lifelong_in(header + "1 0 0 0 0 0 1\n"), Error);
   CHECK_THROWS_AS(lifelong_in(header + "nan 0 0 0 0 0 0 1\n"), Error);
+  CHECK_THROWS_AS(lifelong_in(header + "0 0 0 0 0 0 0 1\n33333333 1 0 0 0 0 0 1\n"), Error);
   CHECK_THROWS_AS(lifelong_in(header + "1 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n"), Error);
 }
 

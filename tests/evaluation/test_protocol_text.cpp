@@ -25,7 +25,9 @@ TEST_CASE("a text that is no protocol is refused", "[evaluation]") {
        {"", "distance", "distance=", "distance=3m", "distance=nan", "distance=3,", "dist=3",
         "distance=3,past-only=1", "distance=3,exclude-frames=1.5", "distance=3,exclude-frames=-1",
         "covisibility=0.3", "covisibility=0.3,frustum=1:2:3", "angle=30",
-        "covisibility=0.3,frustum=517.3:516.5:318.6:255.3:640:480:0.5:4:9"}) {
+        "covisibility=0.3,frustum=517.3:516.5:318.6:255.3:640:480:0.5:4:9",
+        "distance=0.5,distance=0.6", "distance=0.5,distance=0.5",
+        "past-only,distance=3,past-only"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(parse_protocol(text), InvalidValue);
   }

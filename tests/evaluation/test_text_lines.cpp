@@ -75,6 +75,52 @@ TEST_CASE("a complaint of what a line holds gets file and line", "[evaluation]")
         std::string::npos);
 }
 
+TEST_CASE("an old Mac's line ends are told from what is no text", "[evaluation][regression]") {
+  for (const std::string text : {"1 2\r3 4\r", "# head\r1 2\r"}) {
+    CHECK(error_text([&] { lines_of(text); }) ==
+          "a.txt:1: the lines end as on an old Mac, by CR alone: save the file with LF or CR LF");
+  }
+  CHECK(lines_of("1\r\r\n2\r\n") == Texts{"1:1", "2:2"});
+}
+
+TEST_CASE("separators that are none are told with what to write", "[evaluation][regression]") {
+  const auto told = [](const std::string& text) {
+    std::istringstream stream(text);
+    TextLines lines(stream, "a.txt");
+    std::string_view line;
+    std::vector<double> numbers;
+    REQUIRE(lines.next(line));
+    return error_text([&] { lines.numbers(line, numbers); });
+  };
+  CHECK(told("1;2;3\n") ==
+        "a.txt:1: '1;2;3' is not a number: separate numbers by commas or blanks, not semicolons, "
+        "and write 0.5, not 0,5.");
+  CHECK(told("0,5;1,5\n").find("'5;1' is not a number: separate numbers by commas or blanks") !=
+        std::string::npos);
+  CHECK(told("0,033 1,5 2,0\n") ==
+        "a.txt:1: '033 1' is not a number: separate numbers by commas or by blanks, not by both, "
+        "and write 0.5, not 0,5.");
+  CHECK(told("query one,2\n") == "a.txt:1: 'query one' is not a number.");
+}
+
+TEST_CASE("a file that does not open is told with the system's reason",
+          "[evaluation][regression]") {
+  CHECK(error_text([] { open_file("/no/where.csv"); }) ==
+        "/no/where.csv cannot be opened for reading: No such file or directory.");
+  CHECK(error_text([] { open_file("/"); }) == "/ cannot be opened for reading: Is a directory.");
+}
+
+TEST_CASE("the last comment above a line is kept", "[evaluation]") {
+  std::istringstream stream("1\n# a\n#  b \r\n2\n3\n");
+  TextLines lines(stream, "a.txt");
+  std::string_view line;
+  CHECK(lines.heading().empty());
+  for (const std::string heading : {"", "#  b", "#  b"}) {
+    REQUIRE(lines.next(line));
+    CHECK(lines.heading() == heading);
+  }
+}
+
 TEST_CASE("a trajectory reads alike with commas, a mark, Windows' line ends and plus signs",
           "[evaluation]") {
   std::istringstream stream("\xEF\xBB\xBF# t x\r\n+1.0,0,0,0,0,0,0,1\r\n\r\n2 1 0 0 0 0 0 1\r\n");

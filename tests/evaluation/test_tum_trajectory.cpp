@@ -74,3 +74,31 @@ TEST_CASE("what is written is read back", "[evaluation]") {
     CHECK(again[i].T_world_body.linear().isApprox(trajectory[i].T_world_body.linear(), 1e-14));
   }
 }
+
+TEST_CASE("a header that names w first is refused, with or without nanoseconds",
+          "[evaluation][regression]") {
+  const std::string euroc =
+      "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z "
+      "[]\n";
+  const std::string told =
+      "room.txt:2: the header above names the quaternion's w first, as EuRoC's";
+  CHECK(contains(tum_complaint(euroc + "1403636580.83,0,0,0,1,0,0,0\n"), told));
+  CHECK(contains(tum_complaint(euroc + "1403636580838555648,0,0,0,1,0,0,0,0,0,0\n"), told));
+  CHECK(contains(tum_complaint("# t tx ty tz qw qx qy qz\n1 0 0 0 1 0 0 0\n"), told));
+  for (const char* header : {"", "# timestamp tx ty tz qx qy qz qw", "# queue of wax", "#qx,qw"}) {
+    CHECK_FALSE(names_w_first(std::string(header)));
+  }
+}
+
+TEST_CASE("stamps from 0 in another unit are told by the steps between them",
+          "[evaluation][regression]") {
+  const auto told = [](double frame) {
+    std::ostringstream text;
+    for (int i = 0; i < 30; ++i) text << std::fixed << i * frame << " 0 0 0 0 0 0 1\n";
+    return tum_complaint(text.str());
+  };
+  CHECK(
+      contains(told(33333.0), "room.txt: the time stamps are 33333.000000 s apart in the median"));
+  CHECK(contains(told(33333333.0), "are they in nanoseconds? divide by 1e9"));
+  CHECK(told(33.3) == "nothing was thrown");
+}

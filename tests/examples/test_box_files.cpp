@@ -57,11 +57,18 @@ TEST_CASE("broken YOLO text is told with file and line", "[examples]") {
   CHECK(error_in(empty, [&] { read(empty.path(""), {"a.png"}); }) ==
         ": there is no .txt file in the folder");
   CHECK(complaint_of_line("0 0.5 0.5 0.1 0.1\n0 0.5 0.5 0.1") ==
-        "a.txt:2: a line is: class cx cy w h [score]");
+        "a.txt:2: here are 4 fields; a line is: class cx cy w h [score]");
   CHECK(complaint_of_line("0 0.5 0.5 0.1 0.1 much") == "a.txt:1: 'much' is not a number.");
-  CHECK(complaint_of_line("62 0.1 0.1 0.6 0.1 0.6 0.7 0.1 0.7") ==  // a polygon
-        "a.txt:1: a line is: class cx cy w h [score]");
-  for (const std::string score : {"90", "1.01", "-0.1", "nan"}) {
+  CHECK(
+      complaint_of_line("62 0.1 0.1 0.6 0.1 0.6 0.7 0.1 0.7") ==  // a polygon
+      "a.txt:1: here are 9 fields, as of a polygon of 4 corners, and boxes are needed; a line is: "
+      "class cx cy w h [score]");
+  CHECK(complaint_of_line("0 0.5 0.5 0.1 0.1 0.9 17") ==  // a tracker's
+        "a.txt:1: here are 7 fields, a track's id behind the score, or three corners; a line is: "
+        "class cx cy w h [score]");
+  CHECK(complaint_of_line("0 0.5 0.5 0.1 0.1 90") ==
+        "a.txt:1: the score has to lie in [0, 1]; is 90 the id of a track?");
+  for (const std::string score : {"1.01", "-0.1", "nan"}) {
     CHECK(complaint_of_line("0 0.5 0.5 0.1 0.1 " + score) ==
           "a.txt:1: the score has to lie in [0, 1]");
   }
@@ -140,4 +147,14 @@ TEST_CASE("COCO boxes by their corners, and files without a box, are refused",
     CHECK(error_in(folder, [&] { read(folder.path("empty.json"), {"a.png"}); }) ==
           "empty.json: it holds neither an image nor a box");
   }
+}
+
+TEST_CASE("boxes of hardly any width or height are counted as those without",
+          "[examples][regression]") {
+  const ScratchFolder folder;
+  folder.write("a.txt",
+               "0 0.5 0.5 1e-12 0.1\n0 0.5 0.5 0.1 1e-12\n0 0.5 0.5 0 0.1\n0 0.5 0.5 0.1 0.1\n");
+  const ImageBoxes boxes = read(folder.path(""), {"a.png"});
+  CHECK(boxes.empty == 3);
+  CHECK(boxes.of_image.at(0).size() == 1);
 }

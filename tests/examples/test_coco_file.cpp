@@ -94,7 +94,12 @@ TEST_CASE("what is no COCO file is refused in words of its own", "[examples][reg
   CHECK(coco_complaint("{}") == neither);
   CHECK(coco_complaint(R"({"predictions": [{"x": 1}]})") == neither);
   CHECK(coco_complaint(R"({"image_id": 1})") == neither);
-  CHECK(coco_complaint("{\"annotations\": [").find("f.json: parse error at line 1") == 0);
+  CHECK(coco_complaint("{\"annotations\": [") ==
+        "f.json: the JSON ends in the middle: the file is cut off; write it anew");
+  CHECK(coco_complaint("[1,\n2,\n}") == "f.json: line 3 is no JSON, byte 8 of the file");
+  CHECK(coco_complaint("") == "f.json: the file is empty");
+  CHECK(coco_complaint(" \n") == "f.json: the file is empty");
+  CHECK(coco_complaint("\xFF\xFE[") == "f.json: this is UTF-16: save it as UTF-8");
   CHECK(coco_complaint("[{\"image_id\": 1}]") == "f.json, entry 1: key 'category_id' not found");
 }
 

@@ -36,6 +36,18 @@ const Json& method(const Json& comparison, const std::string& name) {
 
 }  // namespace
 
+TEST_CASE("compare says how many pairs a method has no score for", "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string list = folder.write("own.csv", "query,candidate,score\n0,0,1\n1,1,0.5\n");
+  const Json comparison = compare(sets + " --scores " + list);
+  const std::size_t pairs = comparison.at("true_pairs").get<std::size_t>() +
+                            comparison.at("false_pairs").get<std::size_t>();
+  const std::string meaning = method(comparison, "own.csv").at("meaning");
+  CHECK(meaning.find("scores of " + list + ", without one for ") == 0);
+  CHECK(meaning.find(" of the " + std::to_string(pairs) + " pairs that are true or false") !=
+        std::string::npos);
+}
+
 TEST_CASE("compare gives every method the same pairs and the same numbers", "[examples]") {
   const Json comparison = compare(sets);
   CHECK(comparison.at("protocol") == "distance=0.5,angle=30,negative-distance=1,negative-angle=45");

@@ -95,6 +95,14 @@ TEST_CASE("integers are whole numbers that fit", "[examples]") {
   }
 }
 
+TEST_CASE("a table between semicolons is told", "[examples][regression]") {
+  const std::string told =
+      "columns are separated by commas, not semicolons, and decimals have a point";
+  CHECK(error_of("x;y\n1;2\n") == "t.csv:1: " + told);
+  CHECK(error_of("x,y\r1,2\r") ==
+        "t.csv:1: the lines end as on an old Mac, by CR alone: save the file with LF or CR LF");
+}
+
 TEST_CASE("a missing CSV file is named", "[examples]") {
   const ScratchFolder folder;
   CHECK(error_in(folder, [&] { CsvReader csv(folder.path("")); }) ==

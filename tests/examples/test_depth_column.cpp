@@ -27,6 +27,7 @@ TEST_CASE("a table keeps how far its frames see, and their graphs know it", "[ex
   }
   NodeTable table;
   table.frames.resize(2);
+  table.frames[1].timestamp = 1.0;
   table.frames[0].depth = levels;
   table.frames[1].idx = 1;
   write_node_table(folder.path("s"), table);

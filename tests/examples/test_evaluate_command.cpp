@@ -142,7 +142,8 @@ TEST_CASE("topobag evaluate: what leaves nothing to score is refused",
   const std::string matrix =
       folder.write("m.csv", "0,.9,.8,.1\n.9,0,.2,.1\n.8,.2,0,.7\n.1,.1,.7,0\n");
   CHECK(refusal(with_poses + " --scores " + matrix + " --protocol distance=500") ==
-        "--protocol distance=500: it calls no pair false, so that there is nothing to score");
+        "--protocol distance=500: it calls no pair false, so that there is nothing to score; call "
+        "fewer places true, or give poses of other places too");
   const std::string empty = folder.write("list.csv", "query,candidate,score\n");
   CHECK(refusal(with_poses + " --scores " + empty) == empty + ": there is no score in the file");
   CHECK(refusal(with_poses + " --scores " + folder.path()) ==

@@ -68,6 +68,10 @@ TEST_CASE("JSON of localize and loops is as its schema says", "[examples]") {
   check(written("localize" + schema_tables + "--calibrate --report-data " + folder.path("r.json")),
         "localize");
   check(nlohmann::json::parse(program::read_file(folder.path("r.json"))), "report");
+  check(written("localize" + schema_tables +
+                "--place-radius 0.2 --leave-out-radius 0.05 --query-interval 1"),
+        "localize");
+  check(written("localize --different-places" + schema_tables), "localize");
   check(written("loops --min-gap 5 --nodes " + sample_map + sample_options), "loops");
   const std::string map = folder.path("map.bag");
   for (const std::string& table : {sample_map, sample_query}) {

@@ -119,6 +119,20 @@ TEST_CASE("a window without poses is refused, single frames need none", "[exampl
   CHECK(keyframe_graphs(table, {camera, 0.0, 0.0, 0.3}).size() == 3);
 }
 
+TEST_CASE("a pose far from the one before is told with its frame and file",
+          "[examples][regression]") {
+  NodeTable table = table_at({0.0, 1.0, 2.0});
+  for (std::size_t i = 1; i < 3; ++i) table.frames[i].T_world_camera->translation().x() = 1e9;
+  CHECK(error_text([&] {
+          keyframe_graphs(table, {camera, 0.0, 3.0, 0.3});
+        }) ==
+        "the pose of frame idx 1 is 1e+09 m away from that of the key frame before; check tx, "
+        "ty and tz of both");
+  CHECK(keyframe_graphs(table, {camera, 0.0, 0.0, 0.3}).size() == 3);
+  table.frames[0].T_world_camera->translation().x() = 1e9;  // far from the origin alone
+  CHECK(keyframe_graphs(table, {camera, 0.0, 3.0, 0.3}).size() == 3);
+}
+
 TEST_CASE("a key frame uses all detections of its table", "[examples]") {
   NodeTable table = table_at({0.0});
   auto& detections = table.frames[0].detections;

@@ -186,6 +186,9 @@ TEST_CASE("bad input ends localize with one line that names file and line", "[ex
             .find("s.nodes.csv:1: there is no column 'class'") == 0);
   CHECK(EditedSample(".frames.csv", 5, "3,a.png,1305031230.7,,,,,,,").refusal() ==
         "s.frames.csv: frame idx 3 has no pose, which a window needs; give --window 0");
+  CHECK(EditedSample(".frames.csv", 5, "3,a.png,1305031230.7,1e9,0,0,0,0,0,1").refusal() ==
+        "s.frames.csv: the pose of frame idx 3 is 1e+09 m away from that of the key frame before; "
+        "check tx, ty and tz of both");
   CHECK(refusal("localize --map nowhere --query nowhere --camera 500,500,320,240") ==
         "nowhere: there is no such file, and no table of this name; check the path");
   const ScratchFolder folder;

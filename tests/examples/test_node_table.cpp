@@ -84,7 +84,7 @@ TEST_CASE("a table's rows lift to nodes as they are", "[examples]") {
 }
 
 TEST_CASE("a table needs no poses", "[examples]") {
-  const NodeTable table = read("idx,frame,timestamp\n0,a,1\n1,b,1\n", "idx,class,conf,u,v,w,h,z\n");
+  const NodeTable table = read("idx,frame,timestamp\n0,a,1\n1,b,2\n", "idx,class,conf,u,v,w,h,z\n");
   REQUIRE(table.frames.size() == 2);
   CHECK_FALSE(table.frames[0].T_world_camera);
   CHECK(table.frames[0].detections.empty());
@@ -107,6 +107,9 @@ TEST_CASE("bad frames are refused with file and line", "[examples]") {
         "s.frames.csv:3: idx 0 is there twice");
   CHECK(error_of_frame("0,a,2,0,0,0,0,0,0,1\n1,b,1,0,0,0,0,0,0,1\n") ==
         "s.frames.csv:3: the timestamp is before that of the row above; sort the frames by time");
+  CHECK(error_of_frame("0,a,2,0,0,0,0,0,0,1\n1,b,2,0,0,0,0,0,0,1\n") ==
+        "s.frames.csv:3: the timestamp is that of the row above; write stamps with their fractions "
+        "of a second, and each image once");
 }
 
 TEST_CASE("bad nodes are refused with file and line", "[examples]") {

@@ -71,3 +71,20 @@ TEST_CASE("what is wrong in a file of classes is told with its line", "[examples
         "c.txt:1: a line is: name[, dynamics[, look-alikes[, typical size]]]");
   CHECK(class_complaint("tote\n, low\n").find("c.txt:2: a class name needs a character") == 0);
 }
+
+TEST_CASE("sizes in centimetres and names that are none are refused", "[examples][regression]") {
+  CHECK(class_complaint("tv, low, , 50 x 30\n") ==
+        "c.txt:1: the typical size '50 x 30' is larger than 20 m: sizes are in metres, 50 cm is "
+        "0.5");
+  CHECK(class_complaint("lorry, high, , 18.75 x 4\n") == "nothing was thrown");
+  const std::string line = ": a line is name[, dynamics[, look-alikes[, typical size]]]";
+  CHECK(class_complaint("0\n1\n") == "c.txt:1: '0' has no letter, which a class's name has" + line);
+  CHECK(class_complaint("tv\n1: person\n") ==
+        "c.txt:2: '1: person' is a number and a name" + line +
+            ", and a class has the number of its line, from 0");
+  CHECK(class_complaint("tv;low\n") ==
+        "c.txt:1: 'tv;low' holds a semicolon" + line + ", separated by commas");
+  CHECK(class_complaint("tv\tlow\n").find("c.txt:1: 'tv\tlow' holds a tab") == 0);
+  CHECK(class_complaint("3d printer\nM\xC3\xB6"
+                        "bel\n\xE6\xA4\x85\n") == "nothing was thrown");
+}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -74,4 +75,59 @@ TEST_CASE("a saved map takes no option that makes key frames", "[examples][regre
   CAPTURE(query.err);
   CHECK(query.exit_code == 0);  // there they are the query's
   CHECK(query.out.find(" key frames that could be looked up\n") != std::string::npos);
+}
+
+TEST_CASE("what draws nothing needs no seed", "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string told = "--seed: it does nothing without --depth-noise or --drop or --flip or ";
+  const std::string two_sets = " --map " + sample_map + " --query " + sample_query + used_camera;
+  for (const std::string& command :
+       {"localize" + two_sets, "explain --frame 3" + two_sets, "compare" + two_sets}) {
+    CHECK(refusal(command + "--seed 5") ==
+          told + "--world-up or --map-world-up; give that, or leave it out");
+  }
+  CHECK(refusal("loops --nodes " + sample_map + used_camera + "--seed 5") ==
+        told + "--world-up; give that, or leave it out");
+  const std::string scores =
+      "evaluate --poses " + sample_map + " --scores " + folder.write("s.csv", "0,1\n1,0\n");
+  for (const std::string option : {"--level 0.9", "--seed 4"}) {
+    CHECK(refusal(scores + ' ' + option) == option.substr(0, option.find(' ')) +
+                                                ": it does nothing without --bootstrap or "
+                                                "--against; give that, or leave it out");
+  }
+}
+
+TEST_CASE("explain refuses what localize does", "[examples][regression]") {
+  const std::string explain =
+      "explain --frame 3 --map " + sample_map + " --query " + sample_query + used_camera;
+  CHECK(refusal(explain + "--object-scale 2") ==
+        "--object-scale: it is for a map of objects; " + sample_map + " is a table");
+  CHECK(refusal(explain + "--gravity-noise 2").find("--gravity-noise: it does nothing") == 0);
+}
+
+TEST_CASE("which way is up says nothing of a table without poses", "[examples][regression]") {
+  const ScratchFolder folder;
+  std::string frames = "idx,frame,timestamp\n";
+  for (int i = 0; i < 61; ++i) {
+    frames += std::to_string(i) + ",a.png," + std::to_string(i / 30.0) + '\n';
+  }
+  folder.write("s.frames.csv", frames);
+  folder.write("s.nodes.csv", program::read_file(sample_query + ".nodes.csv"));
+  const std::string set = folder.path("s");
+  const std::string told = "--world-up: no key frame of " + set +
+                           " has a pose, by which it would "
+                           "know which way is down; give --trajectory, or leave it out";
+  const std::string up = used_camera + "--world-up 0,0,1 --nodes " + set;
+  CHECK(refusal("loops" + up) == told);
+  CHECK(refusal("map --out " + folder.path("m.bag") + up) == told);
+  CHECK_FALSE(std::filesystem::exists(folder.path("m.bag")));
+}
+
+TEST_CASE("options of a network are refused beside boxes", "[examples][regression]") {
+  for (const std::string option :
+       {"--head yolov8", "--input-size 416", "--nms 0.5", "--min-confidence 0.5"}) {
+    CHECK(
+        refusal("nodes --images a --boxes b --out c --camera 517.3,516.5,318.6,255.3 " + option) ==
+        option.substr(0, option.find(' ')) + " requires --model; see topobag nodes --help");
+  }
 }

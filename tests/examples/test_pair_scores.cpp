@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "scratch_folder.hpp"
+#include "scratch.hpp"
 
 namespace {
 
@@ -32,4 +32,26 @@ TEST_CASE("a matrix and a list of scores are visited alike, by query, then by ca
     CHECK(scored(program::read_pair_scores(path, false)) == expected);
     CHECK(std::get<2>(scored(program::read_pair_scores(path, true)).at(0)) == -0.5);
   }
+}
+
+TEST_CASE("what holds no scores is told by what it is", "[examples][regression]") {
+  const ScratchFolder folder;
+  const auto told = [&](const std::string& path) {
+    return error_in(folder, [&] { program::read_pair_scores(path, false); });
+  };
+  CHECK(told(folder.write("x.bag", "\x89TBG\r\n\x1a\n")).find("x.bag: it is a saved map; scores") ==
+        0);
+  CHECK(told(folder.write("s.csv", "0;1\n1;0\n")) ==
+        "s.csv:1: '0;1' is not a number: separate numbers by commas or blanks, not semicolons, and "
+        "write 0.5, not 0,5.");
+  CHECK(told(folder.path("none.csv")) ==
+        "none.csv cannot be opened for reading: No such file or directory.");
+}
+
+TEST_CASE("pairs without a score are counted", "[examples][regression]") {
+  topobag::LabelledScores labelled;
+  labelled.scores.resize(3);
+  CHECK(program::unscored_text(labelled, 3).empty());
+  CHECK(program::unscored_text(labelled, 3600) ==
+        ", without one for 3597 of the 3600 pairs that are true or false");
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "catch.hpp"
 #include "pose_files.hpp"
 #include "run_program.hpp"
+#include "sample.hpp"
 #include "scratch.hpp"
 
 using namespace program;
@@ -71,4 +74,25 @@ TEST_CASE("a trajectory that matches no true pose is an error that names both cl
       estimate +
           ": no pose lies between two true ones of its time: 1 poses from 1 to 1 s, the truth has "
           "2 poses from 1000 to 1001 s; are both of one clock?");
+}
+
+TEST_CASE("a table stands for the poses of its frames", "[examples][regression]") {
+  const std::string scored = "trajectory --json --estimate " + sample_map + ".frames.csv";
+  const ProgramRun by_file = run_program(scored + " --groundtruth " + sample_map + ".frames.csv");
+  const ProgramRun by_set = run_program(scored + " --groundtruth " + sample_map);
+  CHECK(by_set.exit_code == 0);
+  CHECK(nlohmann::json::parse(by_set.out).at("sequences") ==
+        nlohmann::json::parse(by_file.out).at("sequences"));
+  CHECK(refusal("trajectory --estimate a --groundtruth " + sample_map + "s") ==
+        sample_map + "s: the file cannot be opened; check the path");
+}
+
+TEST_CASE("EuRoC's poses are told with what to do, before and after they are in seconds",
+          "[examples][regression]") {
+  const std::string header =
+      "#timestamp,p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []";
+  const std::string told = "p.txt:2: the header above names the quaternion's w first, as EuRoC's";
+  CHECK(pose_complaint(header + "\n1403636580.8,4,1,0.6,0.5,-0.1,-0.8,-0.2\n").find(told) == 0);
+  CHECK(pose_complaint(header + ",v_RS_R_x [m s^-1]\n1403636580838555648,4,1,0,1,0,0,0,0.1\n")
+            .find(told) == 0);
 }

@@ -69,3 +69,24 @@ TEST_CASE("lists are read with a mark, and stamps and poses of another clock are
   CHECK(error().find("associations.txt:1: the time stamp") == 0);
   CHECK(error().find("nanoseconds") != std::string::npos);
 }
+
+TEST_CASE("an image twice and a depth image of another moment are refused",
+          "[examples][regression]") {
+  const ScratchFolder folder;
+  const auto told = [&](const std::string& list, const std::string& text) {
+    folder.write(list, text);
+    return error_in(folder, [&] { read_tum_sequence(folder.path("")); });
+  };
+  const std::string pair = "1.0 a.png 1.02 b.png\n";
+  CHECK(told("associations.txt", pair + "2 c.png 2.1 d.png\n" + pair) ==
+        "associations.txt:3: an image of this time is there already; write each once");
+  CHECK(told("associations.txt", pair + "2 c.png 9 d.png\n") ==
+        "associations.txt:2: the two images are 7 s apart, farther than 0.1 s; pair those of one "
+        "moment");
+  CHECK(told("associations.txt", pair + "2 c.png 2.0999 d.png\n") == "nothing was thrown");
+  const ScratchFolder lists;
+  lists.write("depth.txt", "1.0 b.png\n");
+  lists.write("rgb.txt", "1.0 a.png\n1.0 a.png\n");
+  CHECK(error_in(lists, [&] { read_tum_sequence(lists.path("")); }) ==
+        "rgb.txt:2: an image of this time is there already; write each once");
+}

@@ -59,6 +59,28 @@ TEST_CASE("one matched pose is not aligned", "[examples][regression]") {
   CHECK(nlohmann::json::parse(run.out).at("sequences").at("1").at("ate_rmse") > 4.0);
 }
 
+TEST_CASE("two matched poses are aligned by nothing but their distance", "[examples][regression]") {
+  const ScoredPath path;
+  const std::string two = "3 7 0 0 0 0 0 1\n4 9 0 0 0 0 0 1\n";
+  for (const std::string alignment : {"", "--alignment se3", "--alignment sim3"}) {
+    CHECK(path.told(two, alignment)
+              .find(": two poses alone are matched, which an alignment brings onto the truth") !=
+          std::string::npos);
+  }
+  CHECK(run_program(path.arguments(two, "--alignment none")).exit_code == 0);
+  CHECK(run_program(path.arguments(bent_path(3, 1.0), "--alignment sim3")).exit_code == 0);
+}
+
+TEST_CASE("poses without a true one are counted where they are most", "[examples][regression]") {
+  const ScoredPath path;
+  const ProgramRun late = run_program(path.arguments(bent_path(20, 1.0)));
+  CHECK(late.exit_code == 0);
+  CHECK(late.err == "topobag: " + path.folder.path("estimate.txt") +
+                        ": 11 of 20 poses have no true poses around them within --max-gap 0.5 s, "
+                        "and are not scored\n");
+  CHECK(run_program(path.arguments(bent_path(18, 1.0))).err.empty());
+}
+
 TEST_CASE("a trajectory in millimetres is told from one in metres", "[examples][regression]") {
   const ScoredPath path;
   const std::string in_metres =

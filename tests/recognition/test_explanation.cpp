@@ -94,6 +94,13 @@ TEST_CASE("numbers are told apart, and are not grouped by the locale", "[recogni
   CHECK(says(text, "distance: 1234567.50 m of at least 2.00 m"));
 }
 
+TEST_CASE("a stage that fails by nothing is a tie", "[recognition][regression]") {
+  CandidateExplanation candidate;
+  candidate.stages = {{"lead", false, 7.58, 7.58, true, {}}};
+  CHECK(says(to_string(candidate),
+             "failed  lead: 7.58 of at least 7.58, a tie, which goes to the one before\n"));
+}
+
 TEST_CASE("a host names its key frames", "[recognition]") {
   CandidateExplanation candidate;
   candidate.id = KeyframeId{97};

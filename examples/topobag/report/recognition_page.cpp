@@ -14,6 +14,7 @@
 #include "output_files.hpp"
 #include "pair_figures.hpp"
 #include "recognition_report.hpp"
+#include "run_conditions.hpp"
 #include "run_outcomes.hpp"
 #include "trajectory_figure.hpp"
 
@@ -84,9 +85,10 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
   }
   if (summary.query_ms) facts.emplace_back("Time of a query", times_text(*summary.query_ms));
   facts.emplace_back("Correct is", "up to " + short_text(limits.correct_translation_m) + " m and " +
-                                       short_text(limits.correct_rotation_deg) +
-                                       "°; wrong beyond " + short_text(limits.wrong_translation_m) +
-                                       " m or " + short_text(limits.wrong_rotation_deg) + "°");
+                                       short_text(limits.correct_rotation_deg) + "°; wrong " +
+                                       wrong_text(run_));
+  const std::string left_out = left_out_text(run_);
+  if (!left_out.empty()) facts.emplace_back("Left out", left_out);
   if (places_) {
     const auto true_places =
         std::count_if(outcomes.begin(), outcomes.end(),
@@ -94,10 +96,15 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
     facts.emplace_back("Queries with a true place", std::to_string(true_places));
     facts.emplace_back("Protocol: what a true place is",
                        topobag::to_string(places_->truth.protocol()));
+    const auto& radius = arguments_.scoring.place_radius;
     report.notes.push_back(
         "The protocol says which key frames were taken from about one place: which queries could "
-        "have been found. The verdicts look at the estimated pose alone, so that a match of two "
-        "views from different sides can be correct.");
+        "have been found. " +
+        (radius
+             ? "The verdicts look at the estimated pose, and call wrong whatever lies more than " +
+                   short_text(*radius) + " m from the query's camera (--place-radius)."
+             : std::string("The verdicts look at the estimated pose alone, so that a match of "
+                           "two views from different sides can be correct.")));
   } else if (arguments_.scoring.different_places) {
     report.notes.push_back(
         "The sequences share no place: every accepted match is wrong, and the figures that need "

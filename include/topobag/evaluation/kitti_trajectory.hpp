@@ -42,7 +42,8 @@ Trajectory read_kitti(const Path& path) {
 }
 
 /// Gives a KITTI trajectory the stamps of its `times.txt`, one number of seconds per line. Throws
-/// Error, and leaves the trajectory alone, when the numbers differ or a stamp does not increase.
+/// Error, and leaves the trajectory alone, when the numbers differ, or stamps do not increase or
+/// are no seconds (`require_recording`).
 /// @param stream  a `std::istream`
 template <typename Stream>
 void read_kitti_times(Stream& stream, const std::string& name, Trajectory& trajectory) {
@@ -60,6 +61,7 @@ void read_kitti_times(Stream& stream, const std::string& name, Trajectory& traje
     throw Error(name + " has " + std::to_string(stamps.size()) + " times for " +
                 std::to_string(trajectory.size()) + " poses.");
   }
+  detail::require_recorded(name, stamps);
   for (std::size_t i = 0; i < stamps.size(); ++i) trajectory[i].stamp = stamps[i];
 }
 

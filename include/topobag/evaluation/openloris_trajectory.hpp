@@ -45,8 +45,8 @@ std::size_t openloris_header_end(const Text& line) noexcept {
 /// with a letter (of which `scene`, `frame` and `seq` are used; the first `scene` and `frame`
 /// count), then per pose `stamp tx ty tz qx qy qz qw` or `stamp another-stamp tx …`. Stamps may
 /// come in any order in this format and are sorted. Throws Error with `name` and the line for
-/// anything else, for a sequence that starts twice and for two poses of one sequence at the same
-/// time.
+/// anything else, for a sequence that starts twice, for two poses of one sequence at the same time
+/// and for stamps that are no seconds (`require_recording`).
 /// @param stream  a `std::istream`
 template <typename Stream>
 LifelongTrajectories read_openloris(Stream& stream, const std::string& name,
@@ -95,6 +95,7 @@ LifelongTrajectories read_openloris(Stream& stream, const std::string& name,
     }
     sequence->insert(place, {stamp, pose});
   }
+  for (const auto& [number, poses] : file.sequences) detail::require_recorded(name, poses);
   return file;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <topobag/error.hpp>
 #include <topobag/evaluation/number_text.hpp>
@@ -94,9 +95,10 @@ inline void set_protocol_key(PlaceProtocol& protocol, std::string_view key,
 
 /// A protocol from its text, `distance=0.5,angle=30,negative-distance=1,exclude-seconds=5`: metres,
 /// degrees and seconds, keys as the members of `PlaceProtocol`, the frustum as
-/// `fx:fy:cx:cy:width:height:near:far`. Throws InvalidValue.
+/// `fx:fy:cx:cy:width:height:near:far`, each key once. Throws InvalidValue.
 inline PlaceProtocol parse_protocol(std::string_view text) {
   PlaceProtocol protocol;
+  std::vector<std::string_view> keys;
   for (bool more = true; more;) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);
@@ -104,7 +106,12 @@ inline PlaceProtocol parse_protocol(std::string_view text) {
     if (more) text.remove_prefix(comma + 1);
     const std::size_t equals = std::min(item.find('='), item.size());
     const std::string_view value = item.substr(std::min(equals + 1, item.size()));
-    detail::set_protocol_key(protocol, trimmed(item.substr(0, equals)), trimmed(value));
+    const std::string_view key = trimmed(item.substr(0, equals));
+    detail::set_protocol_key(protocol, key, trimmed(value));
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
+      throw InvalidValue("protocol: '" + std::string(key) + "' is there twice");
+    }
+    keys.push_back(key);
   }
   protocol.validate();
   return protocol;

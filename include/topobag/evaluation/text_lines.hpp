@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
 #include <fstream>
 #include <istream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,7 +20,8 @@ inline namespace v0 {
 
 /// The lines of a text file: how every reader of text reads, and complains.
 ///
-/// Lines end as on Unix or Windows; a byte-order mark, the blanks around a line, blank lines and
+/// Lines end as on Unix or Windows, and no others; a byte-order mark, the blanks around a line,
+/// blank lines and
 /// `#` comment lines are left out. What is no text in UTF-8 or ASCII is refused. Every complaint
 /// names the file and the line.
 class TextLines {
@@ -35,7 +38,12 @@ class TextLines {
       line = buffer_;
       if (number_ == 1) line = without_mark(line);
       line = trimmed(line);
-      if (line.empty() || line.front() == '#') continue;
+      if (line.empty()) continue;
+      require_line_ends(line);
+      if (line.front() == '#') {
+        heading_ = line;
+        continue;
+      }
       require_text(line);
       return true;
     }
@@ -47,6 +55,8 @@ class TextLines {
   std::size_t number() const noexcept { return number_; }
   /// Of the file.
   const std::string& name() const noexcept { return name_; }
+  /// The last comment line above, its `#` included; empty without one.
+  const std::string& heading() const noexcept { return heading_; }
 
   /// To be thrown: file, line and the sentence; `index()` is the line's number.
   Error error(const std::string& sentence) const {
@@ -86,16 +96,33 @@ class TextLines {
   /// The number that a field of the current line is. Throws Error when it is none.
   double number(std::string_view field) const {
     if (const auto value = parse_number(field)) return *value;
-    throw error(field.empty() ? "a number is missing between two commas, or at an end."
-                              : "'" + std::string(field.substr(0, 40)) + "' is not a number.");
+    if (field.empty()) throw error("a number is missing between two commas, or at an end.");
+    throw error("'" + std::string(field.substr(0, 40)) + "' is not a number" + advice(field) + '.');
   }
 
  private:
+  /// What to do about a field that holds a separator, though it was separated.
+  static const char* advice(std::string_view field) {
+    if (field.find(';') != std::string_view::npos) {
+      return ": separate numbers by commas or blanks, not semicolons, and write 0.5, not 0,5";
+    }
+    const bool digits = field.find_first_of("0123456789") != std::string_view::npos;
+    if (digits && field.find_first_of(" \t") != std::string_view::npos) {
+      return ": separate numbers by commas or by blanks, not by both, and write 0.5, not 0,5";
+    }
+    return "";
+  }
+
   std::string_view without_mark(std::string_view line) const {
     const std::string_view start = line.substr(0, 2);
     if (start == "\xFF\xFE" || start == "\xFE\xFF") throw error("this is UTF-16: save it as UTF-8");
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     return line.substr(0, mark.size()) == mark ? line.substr(mark.size()) : line;
+  }
+
+  void require_line_ends(std::string_view line) const {
+    if (line.find('\r') == std::string_view::npos) return;
+    throw error("the lines end as on an old Mac, by CR alone: save the file with LF or CR LF");
   }
 
   void require_text(std::string_view line) const {
@@ -108,14 +135,20 @@ class TextLines {
   std::istream& stream_;
   std::string name_;
   std::string buffer_;
+  std::string heading_;
   std::vector<std::string_view> fields_;
   std::size_t number_ = 0;
 };
 
-/// Opens a file for a reader; throws Error when that fails, or when it is a folder.
+/// Opens a file for a reader; throws Error with the system's reason when that fails, or when it is
+/// a folder.
 inline std::ifstream open_file(const std::string& path) {
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file || (file.peek(), file.bad())) throw Error(path + " cannot be opened for reading.");
+  if (!file || (file.peek(), file.bad())) {
+    throw Error(path + " cannot be opened for reading" +
+                (errno == 0 ? "" : ": " + std::generic_category().message(errno)) + '.');
+  }
   file.clear();
   return file;
 }

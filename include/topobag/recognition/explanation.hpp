@@ -168,7 +168,9 @@ inline std::string to_string(const CandidateExplanation& candidate,
     out << "  " << (stage.passed ? "passed" : "failed") << "  " << stage.name << ": " << has
         << stage.unit << " of " << (stage.at_least ? "at least " : "at most ") << asked
         << stage.unit;
-    if (!stage.passed) {
+    if (!stage.passed && stage.missed_by() == 0.0) {
+      out << ", a tie, which goes to the one before";
+    } else if (!stage.passed) {
       out << ", missed by " << detail::told_apart(stage.missed_by(), 0.0).first << stage.unit;
     }
     out << '\n';

@@ -33,6 +33,20 @@ double later_stamp(const Lines& lines, const std::vector<double>& numbers, bool 
   return stamp;
 }
 
+inline double seconds_of(double stamp) { return stamp; }
+inline double seconds_of(const StampedPose& pose) { return pose.stamp; }
+
+/// Throws Error with the file's name unless the stamps of a trajectory may be seconds.
+/// @param frames  `StampedPose`, or stamps
+template <typename Frames>
+void require_recorded(const std::string& name, const Frames& frames) {
+  try {
+    require_recording(frames, [](const auto& frame) { return seconds_of(frame); });
+  } catch (const InvalidValue& why) {
+    throw Error(name + ": " + why.what());
+  }
+}
+
 /// `tx ty tz qx qy qz qw` of the current line as a pose.
 template <typename Lines>
 Eigen::Isometry3d pose_from_quaternion(const Lines& lines, const double* values) {
