@@ -12,7 +12,7 @@ page=examples/docs/benchmarks.md
 tables=$(mktemp)
 trap 'rm -f "$tables"' EXIT
 
-benches=(bench_delaunay bench_bag bench_consensus bench_matching bench_frontend bench_nees
+benches=(bench_delaunay bench_bag bench_consensus bench_mask bench_matching bench_frontend bench_nees
   bench_places)
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build build --parallel "$(nproc)" --target "${benches[@]}" >/dev/null
@@ -71,6 +71,15 @@ section "A key frame in the front end" \
   "Lifting, fusing, looking up and adding, detector aside; and a lost tracker's queries. Then what an object's colours cost: boxes of 100 × 100 px
 of an image of 640 × 480, whose mean colour comes once; a box should take 20 µs at most." \
   build/benchmarks/bench_frontend
+if [ -n "$data" ]; then
+  section "Features on people" \
+    "The camera's motion of fr3_walking_xyz, estimated of all features and of those that the mask leaves, by the share of the image that people
+cover. True are the camera's poses and the boxes of people; simulated is all else: 1,000 features, evenly spread, 1 px and the depth noise of
+\`NodeNoise\` off; people fill the ellipse within their boxes, 1 to 2.5 m away, walk level at up to 1.2 m/s, and each point of them moves by
+0.2 m/s (σ an axis) besides; the background is 1.5 to 4.5 m away. Nobody is where the detector tells of nobody; no match is wrong. The
+estimate is \`refined_motion\`, robust by its kernel. Errors: median and 95 %." \
+    build/benchmarks/bench_mask DATA
+fi
 section "Retrieval and memory" \
   "The exact best ten, of a bag that grows; bytes are those of an encoded graph with its index. The answers are those of brute force, which
 is checked. Where they are there, hnswlib and faiss (HNSW, M = 16, ef 200, one thread) are asked for the same graphs as vectors of 256 numbers." \
