@@ -19,6 +19,7 @@
 #include "fleet_address.hpp"
 #include "fleet_map.hpp"
 #include "input_error.hpp"
+#include "map_journal.hpp"
 #include "map_kind.hpp"
 #include "path_kind.hpp"
 #include "sqlite_map.hpp"
@@ -189,7 +190,14 @@ void write_saved_map(const std::string& path, const std::string& session,
   }
 }
 
+void require_new_map(const std::string& path) {
+  if (fs::exists(path)) throw InputError(path, "it exists; give another name");
+  if (is_sqlite_name(path)) require_no_journal(path);
+}
+
 void write_new_map(const std::string& path, const SavedMap& map, const ObjectClasses& classes) {
+  const topobag::WriterLock lock(path);
+  require_new_map(path);
   if (is_sqlite_name(path)) {
     write_sqlite_map(path, map, described(classes));
   } else {

@@ -57,6 +57,10 @@ void write_saved_map(const std::string& path, const std::string& session,
                      const std::vector<Keyframe>& keyframes, const ObjectClasses& classes,
                      bool append);
 
+/// Throws InputError where a map cannot be made anew: there is a file of this name, or the journal
+/// of an SQLite map that is gone.
+void require_new_map(const std::string& path);
+
 /// Writes a map where there is none, whole or not at all: FILE.db becomes an SQLite map, any other
 /// name a snapshot, which does not keep the sessions' names. Throws InputError and topobag::Error.
 void write_new_map(const std::string& path, const SavedMap& map, const ObjectClasses& classes);

@@ -160,3 +160,16 @@ TEST_CASE("a map that noted no opening is refused where it seems empty", "[sqlit
     CHECK_THROWS_AS(SqliteBag<>(path), FormatError);
   }
 }
+
+TEST_CASE("a map that another program writes says who holds it", "[sqlite][regression]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("map.db");
+  { SqliteBag<>(path).add(KeyframeId{0}, {}); }
+  const detail::SqliteConnection other(path, false);
+  other.run("BEGIN EXCLUSIVE");
+  const detail::SqliteConnection map(path, false);
+  sqlite3_busy_timeout(map.get(), 0);
+  CHECK(error_text([&] { map.run("SELECT count(*) FROM keyframe"); }) ==
+        path + ": database is locked: another program has it open and is writing to it; wait " +
+            "until that is done or end it, then try again");
+}

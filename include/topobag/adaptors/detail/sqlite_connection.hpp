@@ -24,6 +24,11 @@ namespace detail {
     throw FormatError(text + ": it is no SQLite map (a snapshot is for `load`), or damaged; take " +
                       "another copy");
   }
+  if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+    throw Error(text + ": another program has it open and is writing to it; wait until that is " +
+                "done or end it, then try again");
+  }
+  if (code == SQLITE_FULL) throw Error(text + "; make room, then try again");
   const std::string journal = sqlite_journal_of(path);
   if ((code == SQLITE_READONLY || code == SQLITE_CANTOPEN) && !journal.empty()) {
     throw Error(path +
