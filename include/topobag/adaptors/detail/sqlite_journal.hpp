@@ -95,10 +95,13 @@ inline void require_journal(const std::string& path) {
   const std::string journal = sqlite_journal_of(path);
   const bool missing = journal.empty();
   if (!missing && (journal != real_path(path) + "-wal" || is_write_ahead_log(journal))) return;
-  // As `SqliteFile` notes it; earlier versions of topobag noted nothing.
+  // As `SqliteFile` notes it; earlier versions of topobag noted nothing. Reading makes a journal of
+  // 0 bytes where another program has closed the map.
   const auto written =
       sqlite_number_in_file(path, "SELECT value FROM meta WHERE key = 'unclosed'");
-  if (written == 0 || (written > 1 && missing)) return;
+  const bool holds_nothing =
+      missing || std::ifstream(journal).peek() == std::ifstream::traits_type::eof();
+  if (written == 0 || (written > 1 && holds_nothing)) return;
   if (written < 0 && sqlite_number_in_file(path, "SELECT count(*) FROM keyframe") != 0) return;
   throw FormatError(path + ": it was not closed, and " + (missing ? path + "-wal" : journal) +
                     ", which holds what was written last, is " +
