@@ -61,10 +61,16 @@ void make_map(const MapArguments& arguments) {
   const std::vector<Keyframe> keyframes = read_keyframes(arguments.nodes, options);
   const std::string session =
       arguments.session.empty() ? name_of(set_name(arguments.nodes)) : arguments.session;
-  write_saved_map(arguments.out, session, keyframes, options.classes, arguments.append);
+  const std::size_t known =
+      write_saved_map(arguments.out, session, keyframes, options.classes, arguments.append);
   std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
             << " added to the " << map_kind_text(arguments.out) << '\n'
             << left_out_text(arguments, keyframes);
+  if (known > 0) {
+    std::cout << arguments.out << ": " << known << " of " << keyframes.size()
+              << " key frames are of images that the map held a key frame of: mapped twice, a "
+                 "place is found by itself\n";
+  }
   if (!arguments.session.empty() && !keeps_session_names(arguments.out)) {
     std::cout << arguments.out << ": a snapshot keeps no names of sessions, and so not "
               << arguments.session << "; a map FILE.db does\n";
