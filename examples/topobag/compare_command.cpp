@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +22,7 @@
 #include "report/report_options.hpp"
 #include "report/run_outcomes.hpp"
 #include "saved_map.hpp"
+#include "score_names.hpp"
 #include "similarity_scores.hpp"
 
 namespace program {
@@ -129,24 +128,6 @@ RunSummary verified(RecognitionRun& run, const PairScores& scores, const topobag
   return summarize(run);
 }
 
-/// What each file of scores is called: by its name, or by its path where two have one name. Throws
-/// InputError where a file is given twice.
-std::vector<std::string> names_of(const std::vector<std::string>& paths) {
-  std::map<std::string, std::size_t> files, names;
-  for (const std::string& path : paths) {
-    if (++files[std::filesystem::weakly_canonical(path).string()] > 1) {
-      throw InputError("--scores " + path, "it is given twice; leave one out");
-    }
-    ++names[std::filesystem::path(path).filename().string()];
-  }
-  std::vector<std::string> called;
-  for (const std::string& path : paths) {
-    const std::string name = std::filesystem::path(path).filename().string();
-    called.push_back(names[name] > 1 ? path : name);
-  }
-  return called;
-}
-
 /// A method of the user's own, by its scores of the key frames of query and map.
 ComparedMethod own_method(RecognitionRun& run, const std::string& path, const std::string& name,
                           const topobag::PlaceTruth& truth, std::size_t count) {
@@ -162,7 +143,7 @@ void compare(const CompareArguments& arguments) {
     throw InputError(arguments.tables.map,
                      "compare makes the graphs anew and needs a node table, not a saved map");
   }
-  const std::vector<std::string> own_names = names_of(arguments.own_scores);
+  const std::vector<std::string> own_names = score_names(arguments.own_scores);
   RecognitionRun run = read_run(arguments, arguments.keyframes);
   const KnownPlaces places = places_of(run, arguments);
   const Scoring scoring;
@@ -204,8 +185,8 @@ void compare(const CompareArguments& arguments) {
   }
   for (std::size_t i = 0; i < own_names.size(); ++i) {
     const ProgressPart part = part_of_next();
-    comparison.methods.push_back(own_method(run, arguments.own_scores[i], own_names[i],
-                                            places.truth, arguments.verified));
+    comparison.methods.push_back(
+        own_method(run, arguments.own_scores[i], own_names[i], places.truth, arguments.verified));
   }
   for (SimilarityScores& similarity : similarities) {
     const ProgressPart part = part_of_next();

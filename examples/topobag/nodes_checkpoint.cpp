@@ -81,10 +81,10 @@ void NodesCheckpoint::require_own(const std::vector<RgbdFrame>& frames) const {
   } catch (const topobag::Error&) {
     return;
   }
-  throw InputError(set_ + ".json",
-                   "an earlier run with other options, or of other images, kept " +
-                       std::to_string(kept) + " frames; give what it was given to go on, delete " +
-                       set_ + ".* to begin anew, or give another --out");
+  throw InputError(set_ + ".json", "an earlier run with other options, or of other images, kept " +
+                                       std::to_string(kept) +
+                                       " frames; give what it was given to go on, delete " + set_ +
+                                       ".* to begin anew, or give another --out");
 }
 
 void NodesCheckpoint::keep(const DetectedNodes& detected) {

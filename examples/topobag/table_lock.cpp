@@ -17,7 +17,8 @@ namespace {
 
 /// Whether an open file still has its name: who held it before took it away at the end.
 bool has_name(int file, const std::string& path) {
-  struct ::stat opened {}, named {};
+  struct ::stat opened {
+  }, named{};
   return ::fstat(file, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }

@@ -62,8 +62,9 @@ TEST_CASE("an empty file is no map that a journal belongs to", "[sqlite][regress
   const ScratchFolder folder;
   leave_open(folder, "map.db", 3);
   folder.write("map.db", "");
-  CHECK(error_text([&] { SqliteBag<> map(folder.path("map.db")); })
-            .find("a new map cannot be made beside") != std::string::npos);
+  CHECK(error_text([&] {
+          SqliteBag<> map(folder.path("map.db"));
+        }).find("a new map cannot be made beside") != std::string::npos);
   CHECK(std::filesystem::file_size(folder.path("map.db-wal")) > 0);
 }
 
@@ -133,7 +134,7 @@ TEST_CASE("a map of another program's closing has no journal and opens", "[sqlit
   REQUIRE(sqlite3_exec(other, "SELECT count(*) FROM keyframe", nullptr, nullptr, nullptr) == 0);
   REQUIRE(sqlite3_close(other) == SQLITE_OK);
   REQUIRE_FALSE(std::filesystem::exists(path + "-wal"));
-  REQUIRE(content_of(path)[19] == 2);  // in SQLite's header: not as topobag closes it
+  REQUIRE(content_of(path)[19] == 2);              // in SQLite's header: not as topobag closes it
   for (int reading = 0; reading < 2; ++reading) {  // which makes a journal, of 0 bytes
     CHECK(SqliteBag<>(path, read_only()).bag().size() == 3);
   }

@@ -79,9 +79,9 @@ TEST_CASE("a link whose file is not there yet is written through", "[examples][r
   for (const std::string& name : names) {
     const std::string link = folder.path("to_" + name);
     std::filesystem::create_symlink(name, link);
-    const ProgramRun run = run_program(
-        name == "m.html" ? "view " + sample_map + sample_options + "--out " + link
-                         : mapped_desk + link);
+    const ProgramRun run =
+        run_program(name == "m.html" ? "view " + sample_map + sample_options + "--out " + link
+                                     : mapped_desk + link);
     CAPTURE(name, run.err);
     CHECK(run.exit_code == 0);
     CHECK(std::filesystem::is_symlink(link));

@@ -67,7 +67,8 @@ TEST_CASE("each file of a table stands for it", "[examples][regression]") {
   CHECK(view.exit_code == 0);
 }
 
-TEST_CASE("a session's name can be shown and is no longer than a file's", "[examples][regression]") {
+TEST_CASE("a session's name can be shown and is no longer than a file's",
+          "[examples][regression]") {
   const ScratchFolder folder;
   const std::string map = "map --nodes " + sample_map + sample_options + "--out " +
                           folder.path("m.bag") + " --session ";

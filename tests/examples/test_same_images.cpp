@@ -30,7 +30,8 @@ bool holds(const std::string& text, const std::string& part) {
 
 TEST_CASE("images are the same by the graph, or by where cameras saw them from", "[examples]") {
   std::mt19937 random(5);
-  const topobag::TopologyGraph<> blind_a = random_graph(random, 8), blind_b = random_graph(random, 8);
+  const topobag::TopologyGraph<> blind_a = random_graph(random, 8),
+                                 blind_b = random_graph(random, 8);
   const auto seen = [&] {
     return topobag::make_topology_graph(random_nodes(random, 8, 80, false), topobag::KnnEdges{3},
                                         std::vector<topobag::View<>>(1));
@@ -60,8 +61,9 @@ TEST_CASE("a sequence is not added to its map by other options", "[examples][reg
   const std::string before = content_of(map);
   for (const std::string option : {"--keyframe-interval 1", "--window 0"}) {
     CHECK(refusal("map --append " + option + add + sample_map) ==
-          map + ": the map holds these key frames already, as session 0: mapped twice, a place is "
-                "found by itself");
+          map +
+              ": the map holds these key frames already, as session 0: mapped twice, a place is "
+              "found by itself");
   }
   CHECK((content_of(map) == before));
   CHECK(holds(said_of_itself("map --append --keyframe-interval 0" + add + sample_map),

@@ -24,7 +24,8 @@ TEST_CASE("one run at a time makes a table", "[examples][regression]") {
   const ScratchFolder folder;
   const std::string set = folder.path("set");
   const std::string held =
-      "--out " + set + ": another run is making this table; wait until it is done, or give another name";
+      "--out " + set +
+      ": another run is making this table; wait until it is done, or give another name";
   {
     const program::TableLock lock(set);
     CHECK(table_lock_complaint(set) == held);

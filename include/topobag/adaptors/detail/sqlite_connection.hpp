@@ -45,8 +45,8 @@ namespace detail {
 /// An open SQLite file.
 class SqliteConnection {
  public:
-  /// Throws Error when it cannot be opened, and as `require_journal`; without `read_only` it is made
-  /// where it is missing.
+  /// Throws Error when it cannot be opened, and as `require_journal`; without `read_only` it is
+  /// made where it is missing.
   SqliteConnection(const std::string& path, bool read_only) : path_(path) {
     // SQLite's names for a data base that goes with its connection.
     if (path.empty() || path == ":memory:") {

@@ -57,9 +57,9 @@ class SqliteFile {
     if (!noted_) connection_.run(unclosed_1);
     transaction.commit();
     // The change is made, whatever becomes of the note.
-    noted_ = noted_ || (connection_.checkpoint() &&
-                        sqlite3_exec(connection_.get(), unclosed_2, nullptr, nullptr, nullptr) ==
-                            SQLITE_OK);
+    noted_ = noted_ ||
+             (connection_.checkpoint() &&
+              sqlite3_exec(connection_.get(), unclosed_2, nullptr, nullptr, nullptr) == SQLITE_OK);
   }
 
   /// @param graph  that of the entry, decoded
@@ -106,8 +106,8 @@ class SqliteFile {
 
  private:
   /// So that a journal that was lost is told from one that nothing was written to: 'unclosed' is 0
-  /// from the opening on; 1 in the first change, which goes to the file itself at once; and 2 in the
-  /// journal from then on, and in the file when more of the journal has come there.
+  /// from the opening on; 1 in the first change, which goes to the file itself at once; and 2 in
+  /// the journal from then on, and in the file when more of the journal has come there.
   void note_opening() {
     const std::int64_t value = sqlite_number(
         connection_, "SELECT coalesce((SELECT value FROM meta WHERE key = 'unclosed'), -1)");

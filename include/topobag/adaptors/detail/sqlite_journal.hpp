@@ -97,8 +97,7 @@ inline void require_journal(const std::string& path) {
   if (!missing && (journal != real_path(path) + "-wal" || is_write_ahead_log(journal))) return;
   // As `SqliteFile` notes it; earlier versions of topobag noted nothing. Reading makes a journal of
   // 0 bytes where another program has closed the map.
-  const auto written =
-      sqlite_number_in_file(path, "SELECT value FROM meta WHERE key = 'unclosed'");
+  const auto written = sqlite_number_in_file(path, "SELECT value FROM meta WHERE key = 'unclosed'");
   const bool holds_nothing =
       missing || std::ifstream(journal).peek() == std::ifstream::traits_type::eof();
   if (written == 0 || (written > 1 && holds_nothing)) return;
