@@ -22,7 +22,7 @@ std::string said_of_itself(const std::string& arguments) {
   return run.out;
 }
 
-bool holds(const std::string& text, const std::string& part) {
+bool holds_part(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -66,10 +66,11 @@ TEST_CASE("a sequence is not added to its map by other options", "[examples][reg
               "found by itself");
   }
   CHECK((content_of(map) == before));
-  CHECK(holds(said_of_itself("map --append --keyframe-interval 0" + add + sample_map),
-              map + ": 62 of 67 key frames are of images that the map held a key frame of: mapped "
-                    "twice, a place is found by itself\n"));
-  CHECK_FALSE(holds(said_of_itself("map --append" + add + sample_query), "mapped twice"));
+  CHECK(holds_part(
+      said_of_itself("map --append --keyframe-interval 0" + add + sample_map),
+      map + ": 62 of 67 key frames are of images that the map held a key frame of: mapped "
+            "twice, a place is found by itself\n"));
+  CHECK_FALSE(holds_part(said_of_itself("map --append" + add + sample_query), "mapped twice"));
 }
 
 TEST_CASE("explain and view tell the map's own key frames", "[examples][regression]") {
@@ -77,15 +78,16 @@ TEST_CASE("explain and view tell the map's own key frames", "[examples][regressi
   const std::string explain =
       "explain --frame 30 --map " + sample_map + desk_camera_only + "--query ";
   const std::string own = "frame 30 is one of the map's own, and finds itself\n";
-  CHECK(holds(said_of_itself(explain + sample_map), own));
-  CHECK_FALSE(holds(said_of_itself(explain + sample_query), own));
+  CHECK(holds_part(said_of_itself(explain + sample_map), own));
+  CHECK_FALSE(holds_part(said_of_itself(explain + sample_query), own));
   using nlohmann::json;
   CHECK(json::parse(said_of_itself(explain + sample_map + " --json")).at("in_map") == true);
   CHECK(json::parse(said_of_itself(explain + sample_query + " --json")).at("in_map") == false);
   const std::string view =
       "view " + sample_map + desk_camera_only + "--out " + folder.path("v.html") + " --query ";
-  CHECK(holds(said_of_itself(view + sample_map),
-              " matches of 62 key frames that could be looked up; 62 are the map's own, and find "
-              "themselves\n"));
-  CHECK_FALSE(holds(said_of_itself(view + sample_query), "the map's own"));
+  CHECK(holds_part(
+      said_of_itself(view + sample_map),
+      " matches of 62 key frames that could be looked up; 62 are the map's own, and find "
+      "themselves\n"));
+  CHECK_FALSE(holds_part(said_of_itself(view + sample_query), "the map's own"));
 }
