@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -24,6 +23,7 @@
 #include "report/report_options.hpp"
 #include "report/run_outcomes.hpp"
 #include "saved_map.hpp"
+#include "score_names.hpp"
 #include "similarity_scores.hpp"
 
 namespace program {
@@ -130,10 +130,10 @@ RunSummary verified(RecognitionRun& run, const PairScores& scores, const topobag
 }
 
 /// A method of the user's own, by its scores of the key frames of query and map.
-ComparedMethod own_method(RecognitionRun& run, const std::string& path,
+ComparedMethod own_method(RecognitionRun& run, const std::string& path, const std::string& name,
                           const topobag::PlaceTruth& truth, const Comparison& comparison) {
   const PairScores scores = read_pair_scores(path, false);
-  ComparedMethod method{std::filesystem::path(path).filename().string(), "scores of " + path};
+  ComparedMethod method{name, "scores of " + path};
   method.labelled = label_scores(scores, truth, path);
   method.meaning += unscored_text(method.labelled, comparison.true_pairs + comparison.false_pairs);
   method.poses = verified(run, scores, truth, comparison.verified);
@@ -145,6 +145,7 @@ void compare(const CompareArguments& arguments) {
     throw InputError(arguments.tables.map,
                      "compare makes the graphs anew and needs a node table, not a saved map");
   }
+  const std::vector<std::string> own_names = score_names(arguments.own_scores);
   RecognitionRun run = read_run(arguments, arguments.keyframes);
   const KnownPlaces places = places_of(run, arguments);
   Comparison comparison{run.map_set, run.query_set, topobag::to_string(places.truth.protocol()),
@@ -183,9 +184,10 @@ void compare(const CompareArguments& arguments) {
     const ProgressPart part = part_of_next();
     comparison.methods.push_back(paper_method(arguments, places.truth));
   }
-  for (const std::string& path : arguments.own_scores) {
+  for (std::size_t i = 0; i < own_names.size(); ++i) {
     const ProgressPart part = part_of_next();
-    comparison.methods.push_back(own_method(run, path, places.truth, comparison));
+    comparison.methods.push_back(
+        own_method(run, arguments.own_scores[i], own_names[i], places.truth, comparison));
   }
   for (SimilarityScores& similarity : similarities) {
     const ProgressPart part = part_of_next();

@@ -90,8 +90,10 @@ void explain_frame(const ExplainArguments& arguments) {
     const auto& shown = shown_candidate(run.records[0].recognition, arguments.frame);
     write_file(arguments.svg, candidate_svg(run, 0, shown));
   }
+  const bool in_map = count_in_map(run) > 0;
   if (arguments.json) {
     Json json = to_json(explanation, run.map);
+    json["in_map"] = in_map;
     if (run.calibrated) json["calibration"] = calibration_json(*run.calibrated);
     std::cout << output_text(json, true);
     return;
@@ -104,6 +106,9 @@ void explain_frame(const ExplainArguments& arguments) {
   std::cout << "frame " << arguments.frame << ": " << to_string(explanation, map_name);
   if (all > explanation.candidates.size()) {
     std::cout << "and " << all - explanation.candidates.size() << " more candidates\n";
+  }
+  if (in_map) {
+    std::cout << "frame " << arguments.frame << " is one of the map's own, and finds itself\n";
   }
   if (run.calibrated) std::cout << calibration_lines(*run.calibrated);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 
@@ -43,6 +44,7 @@ int main(int argc, char** argv) {
   program::add_trajectory_command(app);
   program::add_view_command(app);
   app.parse_complete_callback([&app] {
+    program::require_values(app);
     for (const CLI::App* command : app.get_subcommands()) program::require_outputs(*command);
   });
   try {
@@ -51,6 +53,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // --help
     return fail(program::complaint(app, error) + "; see " + program::help_of(app));
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(error.path1().string() + ": " + error.code().message());
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "fleet_address.hpp"
+#include "input_error.hpp"
 #include "keyframe_options.hpp"
 #include "map_kind.hpp"
 #include "option_use.hpp"
@@ -51,9 +52,27 @@ std::string left_out_text(const MapArguments& arguments, const std::vector<Keyfr
   return text.str();
 }
 
+/// Throws InputError for a session's name that lists and terminals cannot show.
+void require_session_name(const std::string& name) {
+  constexpr std::size_t longest = 255;  // bytes, as the name of a file
+  topobag::require_utf8(name, "--session");
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(name[i]);
+    // From U+0080 to U+009F they are two bytes.
+    const bool wide = byte == 0xC2 && static_cast<unsigned char>(name[i + 1]) < 0xA0;
+    if (byte >= 0x20 && byte != 0x7F && !wide) continue;
+    throw InputError("--session", "byte " + std::to_string(i + 1) +
+                                      " of the name begins a control character; give a name that "
+                                      "can be shown");
+  }
+  if (name.size() <= longest) return;
+  throw InputError("--session", "the name has " + std::to_string(name.size()) +
+                                    " bytes; give one of at most " + std::to_string(longest));
+}
+
 void make_map(const CLI::App& command, const MapArguments& arguments) {
   if (!is_fleet_address(arguments.out)) require_file("--out", arguments.out);
-  topobag::require_utf8(arguments.session, "--session");
+  require_session_name(arguments.session);
   KeyframeOptions options = arguments.keyframes;
   const bool goes_on = arguments.append || is_fleet_address(arguments.out);
   if (goes_on) options.classes = classes_of_maps({arguments.out}, options.classes);
@@ -62,10 +81,16 @@ void make_map(const CLI::App& command, const MapArguments& arguments) {
   require_vertical(command, arguments.nodes, keyframes);
   const std::string session =
       arguments.session.empty() ? name_of(set_name(arguments.nodes)) : arguments.session;
-  write_saved_map(arguments.out, session, keyframes, options.classes, arguments.append);
+  const std::size_t known =
+      write_saved_map(arguments.out, session, keyframes, options.classes, arguments.append);
   std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
             << " added to the " << map_kind_text(arguments.out) << '\n'
             << left_out_text(arguments, keyframes);
+  if (known > 0) {
+    std::cout << arguments.out << ": " << known << " of " << keyframes.size()
+              << " key frames are of images that the map held a key frame of: mapped twice, a "
+                 "place is found by itself\n";
+  }
   if (!arguments.session.empty() && !keeps_session_names(arguments.out)) {
     std::cout << arguments.out << ": a snapshot keeps no names of sessions, and so not "
               << arguments.session << "; a map FILE.db does\n";
@@ -87,7 +112,8 @@ void add_map_command(CLI::App& app) {
           "fleet's, else a snapshot")
       ->required();
   command.add_option("--session", arguments->session,
-                     "Name of the run [that of the table]; a snapshot keeps none");
+                     "Name of the run [that of the table], of at most 255 bytes; a snapshot keeps "
+                     "none");
   command.add_flag("--append", arguments->append, "Go on mapping where there is a map");
   add_keyframe_options(command, arguments->keyframes, arguments->image_size);
   command.callback([arguments, &command] {

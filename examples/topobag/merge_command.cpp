@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -83,9 +82,7 @@ void merge_maps(const MergeArguments& arguments) {
     throw InputError("--out", "merge writes a file, which `topobag fleet push` sends to a server");
   }
   require_file("--out", arguments.out);
-  if (std::filesystem::exists(arguments.out)) {
-    throw InputError(arguments.out, "it exists; give another name");
-  }
+  require_new_map(arguments.out);
   const ObjectClasses classes =
       classes_of_maps({arguments.map, arguments.other}, arguments.classes);
   SavedMap map = read_saved_map(arguments.map, classes);

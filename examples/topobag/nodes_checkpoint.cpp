@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <utility>
 
 #include "csv_reader.hpp"
+#include "input_error.hpp"
 #include "json_output.hpp"
 
 namespace program {
@@ -59,6 +61,30 @@ DetectedNodes NodesCheckpoint::earlier(const std::vector<RgbdFrame>& frames) con
   } catch (const topobag::Error&) {
     return {};
   }
+}
+
+void NodesCheckpoint::require_own(const std::vector<RgbdFrame>& frames) const {
+  if (!std::filesystem::exists(set_ + ".json")) return;
+  std::size_t kept = 0;
+  try {
+    const Json state = Json::parse(read_file(set_ + ".json"));
+    kept = state.at("frames").get<std::size_t>();
+    if (kept == 0 || !earlier(frames).table.frames.empty()) return;
+    // One that ended while it kept its table left files that are not of one moment.
+    const bool own = state.at("made_with").get<std::string>() == made_with_;
+    if (own && state != state_of(made_with_, {read_node_table(set_, catalog_),
+                                              state.at("outside").get<std::size_t>()})) {
+      return;
+    }
+  } catch (const Json::exception&) {
+    return;
+  } catch (const topobag::Error&) {
+    return;
+  }
+  throw InputError(set_ + ".json", "an earlier run with other options, or of other images, kept " +
+                                       std::to_string(kept) +
+                                       " frames; give what it was given to go on, delete " + set_ +
+                                       ".* to begin anew, or give another --out");
 }
 
 void NodesCheckpoint::keep(const DetectedNodes& detected) {

@@ -32,6 +32,10 @@ class NodesCheckpoint {
   /// What an earlier run got done of the frames, from the first one on.
   DetectedNodes earlier(const std::vector<RgbdFrame>& frames) const;
 
+  /// Throws InputError where an earlier run with other options, or of other images, got some frames
+  /// done: they would be written over.
+  void require_own(const std::vector<RgbdFrame>& frames) const;
+
   /// Keeps the table so far when it is time to. Throws InputError.
   void keep(const DetectedNodes& detected);
 

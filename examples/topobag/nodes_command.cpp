@@ -24,6 +24,7 @@
 #include "object_classes.hpp"
 #include "output_files.hpp"
 #include "progress.hpp"
+#include "table_lock.hpp"
 
 namespace program {
 namespace {
@@ -115,6 +116,7 @@ std::string text_of(const NodesOptions& options) {
 void make_nodes(const NodesOptions& options) {
   const topobag::ClassCatalog& catalog = options.classes.catalog;
   require_folder("--out", options.out);
+  const TableLock lock(options.out);
   require_no_table(options.out);
   if (std::filesystem::is_directory(options.model)) {
     throw InputError(options.model, "it is a folder; name an ONNX file");
@@ -137,6 +139,7 @@ void make_nodes(const NodesOptions& options) {
         read_boxes(options.boxes, images, {source.classes, catalog, camera.width, camera.height});
   }
   NodesCheckpoint checkpoint(options.out, text_of(options), catalog);
+  checkpoint.require_own(sequence.frames);
   const DetectedNodes detected =
       detect_nodes(sequence.frames, source, options.depth_scale, camera, checkpoint);
   const NodesTally tally(detected.table, camera, catalog);

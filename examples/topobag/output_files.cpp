@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "input_error.hpp"
+#include "map_journal.hpp"
+#include "node_table.hpp"
 #include "path_kind.hpp"
 
 namespace program {
@@ -34,8 +36,9 @@ bool are_same(const fs::path& a, const fs::path& b) {
 
 /// Whether an option that says `value` speaks of the file, which may be half of a table.
 bool means(const std::string& value, const fs::path& file) {
-  return are_same(value, file) || are_same(value + ".frames.csv", file) ||
-         are_same(value + ".nodes.csv", file) || are_same(value + ".clusters.csv", file);
+  const std::string set = set_name(value);
+  return are_same(value, file) || are_same(set + ".frames.csv", file) ||
+         are_same(set + ".nodes.csv", file) || are_same(set + ".clusters.csv", file);
 }
 
 }  // namespace
@@ -69,6 +72,18 @@ void require_file(const std::string& option, const std::string& file) {
   if (fs::is_directory(file, none)) {
     throw InputError(option + ' ' + file, "it is a folder; name a file in it");
   }
+  if (is_map_journal(file)) {
+    throw InputError(option + ' ' + file, "it is a map's journal; give another name");
+  }
+}
+
+void require_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (std::find(values.begin(), values.end(), "") == values.end()) continue;
+    throw InputError(option->get_name() + " is empty; give it a value, or leave it out");
+  }
+  for (const CLI::App* part : command.get_subcommands()) require_values(*part);
 }
 
 void require_outputs(const CLI::App& command) {

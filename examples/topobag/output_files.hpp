@@ -15,8 +15,11 @@ CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::
 /// written into, and where no file is named.
 void require_folder(const std::string& option, const std::string& file);
 
-/// The same, and where the file is a folder itself.
+/// The same, and where the file is a folder itself, or the journal of an SQLite map.
 void require_file(const std::string& option, const std::string& file);
+
+/// Throws InputError where an option of the command, or of one within it, has an empty text.
+void require_values(const CLI::App& command);
 
 /// Throws InputError, before any work is done, where a file to write has no folder, or is one that
 /// another option of the command reads or writes, or a saved map, which pages and lists are not

@@ -8,9 +8,8 @@
 #include <numeric>
 #include <utility>
 
-#include <topobag/bag/graph_codec.hpp>
-
 #include "input_error.hpp"
+#include "same_images.hpp"
 
 namespace program {
 namespace {
@@ -68,7 +67,8 @@ std::size_t count_in_map(const RecognitionRun& run) {
   const auto is_in_map = [&](const Keyframe& query) {
     const auto [begin, end] = by_time.equal_range(query.timestamp);
     return std::any_of(begin, end, [&](const auto& other) {
-      return topobag::encode(other.second->graph) == topobag::encode(query.graph);
+      return are_of_same_images(other.second->graph, other.second->T_world_camera, query.graph,
+                                query.T_world_camera);
     });
   };
   return static_cast<std::size_t>(std::count_if(run.queries.begin(), run.queries.end(), is_in_map));

@@ -112,8 +112,8 @@ void require_poses(const RecognitionRun& run, const std::string& option);
 void require_queries(const RecognitionRun& run,
                      const std::string& lacking = "a key frame that is older by --min-gap");
 
-/// How many of the queries are among the map's key frames: of one time and one graph, as files keep
-/// it. They find themselves.
+/// How many of the queries are of the images of a key frame of the map, of the same time. They find
+/// themselves.
 std::size_t count_in_map(const RecognitionRun& run);
 
 /// What the truth says of a candidate's pose.

@@ -10,7 +10,6 @@
 #include <system_error>
 #include <utility>
 
-#include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/session_number.hpp>
 #include <topobag/bag/snapshot_file.hpp>
 #include <topobag/bag/writer_lock.hpp>
@@ -19,8 +18,10 @@
 #include "fleet_address.hpp"
 #include "fleet_map.hpp"
 #include "input_error.hpp"
+#include "map_journal.hpp"
 #include "map_kind.hpp"
 #include "path_kind.hpp"
+#include "same_images.hpp"
 #include "sqlite_map.hpp"
 
 namespace program {
@@ -74,23 +75,24 @@ void extend_snapshot(const std::string& path, Bag bag, const Bag& entries,
 
 }  // namespace
 
-void require_new(const std::string& path, const Bag& bag, const Bag& entries) {
+std::size_t require_new(const std::string& path, const Bag& bag, const Bag& entries) {
   std::multimap<double, topobag::KeyframeId> by_stamp;
   bag.for_each([&](topobag::KeyframeId id, const topobag::EntryInfo& info, const auto&) {
     if (info.stamp) by_stamp.emplace(*info.stamp, id);
   });
   std::set<std::uint32_t> sessions;
-  bool all = true;
+  std::size_t known = 0;
   entries.for_each([&](topobag::KeyframeId, const topobag::EntryInfo& info, const auto& graph) {
-    if (!all) return;
     const auto same_time = by_stamp.equal_range(info.stamp.value_or(0.0));
     const auto same = std::find_if(same_time.first, same_time.second, [&](const auto& other) {
-      return topobag::encode(*bag.find(other.second)) == topobag::encode(graph);
+      return are_of_same_images(*bag.find(other.second), bag.info(other.second)->T_world_camera,
+                                graph, info.T_world_camera);
     });
-    all = same != same_time.second;
-    if (all) sessions.insert(bag.info(same->second)->session);
+    if (same == same_time.second) return;
+    ++known;
+    sessions.insert(bag.info(same->second)->session);
   });
-  if (!all || sessions.empty()) return;
+  if (known == 0 || known < entries.size()) return known;
   throw InputError(path, "the map holds these key frames already, as session " +
                              std::to_string(*sessions.begin()) +
                              ": mapped twice, a place is found by itself");
@@ -164,14 +166,14 @@ SavedMap read_saved_map(const std::string& path, const ObjectClasses& classes) {
                                           : read_snapshot(path, described(classes));
 }
 
-void write_saved_map(const std::string& path, const std::string& session,
-                     const std::vector<Keyframe>& keyframes, const ObjectClasses& classes,
-                     bool append) {
+std::size_t write_saved_map(const std::string& path, const std::string& session,
+                            const std::vector<Keyframe>& keyframes, const ObjectClasses& classes,
+                            bool append) {
   if (is_fleet_address(path)) {
     const Bag entries = new_entries(Bag(), keyframes);
-    require_new(path, read_fleet_map(path, classes).bag, entries);
+    const std::size_t known = require_new(path, read_fleet_map(path, classes).bag, entries);
     extend_fleet_map(path, session, entries, classes);
-    return;
+    return known;
   }
   if (fs::is_directory(path)) throw InputError(path, "it is a folder; name a file in it");
   const topobag::WriterLock lock(path);
@@ -181,15 +183,23 @@ void write_saved_map(const std::string& path, const std::string& session,
   }
   Bag bag = exists ? read_saved_map(path, classes).bag : Bag();
   const Bag entries = new_entries(bag, keyframes);
-  require_new(path, bag, entries);
+  const std::size_t known = require_new(path, bag, entries);
   if (is_sqlite_map(path)) {
     extend_sqlite_map(path, session, entries, described(classes));
   } else {
     extend_snapshot(path, std::move(bag), entries, classes);
   }
+  return known;
+}
+
+void require_new_map(const std::string& path) {
+  if (fs::exists(path)) throw InputError(path, "it exists; give another name");
+  if (is_sqlite_name(path)) require_no_journal(path);
 }
 
 void write_new_map(const std::string& path, const SavedMap& map, const ObjectClasses& classes) {
+  const topobag::WriterLock lock(path);
+  require_new_map(path);
   if (is_sqlite_name(path)) {
     write_sqlite_map(path, map, described(classes));
   } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,10 +25,10 @@ struct SavedMap {
 topobag::BagOfTopologyGraphs<> new_entries(const topobag::BagOfTopologyGraphs<>& bag,
                                            const std::vector<Keyframe>& keyframes);
 
-/// Throws InputError when the map at `path` holds all of the entries: a sequence mapped twice is
-/// found by itself.
-void require_new(const std::string& path, const topobag::BagOfTopologyGraphs<>& bag,
-                 const topobag::BagOfTopologyGraphs<>& entries);
+/// How many of the entries are of images that the map at `path` holds a key frame of. Throws
+/// InputError when all are: a sequence mapped twice is found by itself.
+std::size_t require_new(const std::string& path, const topobag::BagOfTopologyGraphs<>& bag,
+                        const topobag::BagOfTopologyGraphs<>& entries);
 
 /// Whether a path names a saved map, not a table or one of a table's files.
 bool is_saved_map(const std::string& path);
@@ -49,13 +50,18 @@ bool keeps_session_names(const std::string& path);
 
 /// Writes a session, whole or not at all: FILE.db becomes an SQLite map, any other name a snapshot;
 /// a map that is there stays what it is and has to be asked for with `append`. Who writes to the
-/// same map meanwhile waits. A fleet's server takes a session at any time.
+/// same map meanwhile waits. A fleet's server takes a session at any time. Returns how many of the
+/// key frames are of images that the map holds one of.
 /// @param classes  of the key frames' objects, which a new map keeps, a snapshot where they are not
 ///                 COCO's: it is read with no other
 /// Throws InputError and topobag::Error.
-void write_saved_map(const std::string& path, const std::string& session,
-                     const std::vector<Keyframe>& keyframes, const ObjectClasses& classes,
-                     bool append);
+std::size_t write_saved_map(const std::string& path, const std::string& session,
+                            const std::vector<Keyframe>& keyframes, const ObjectClasses& classes,
+                            bool append);
+
+/// Throws InputError where a map cannot be made anew: there is a file of this name, or the journal
+/// of an SQLite map that is gone.
+void require_new_map(const std::string& path);
 
 /// Writes a map where there is none, whole or not at all: FILE.db becomes an SQLite map, any other
 /// name a snapshot, which does not keep the sessions' names. Throws InputError and topobag::Error.

@@ -77,6 +77,8 @@ void view(const ViewArguments& arguments) {
     const auto asked = std::count_if(run.records.begin(), run.records.end(),
                                      [](const QueryRecord& record) { return record.is_query(); });
     std::cout << " of " << asked << " key frames that could be looked up";
+    const std::size_t own = arguments.tables.query.empty() ? 0 : count_in_map(run);
+    if (own > 0) std::cout << "; " << own << " are the map's own, and find themselves";
   }
   std::cout << '\n';
 }

@@ -141,7 +141,9 @@ inline int process_number() noexcept { return ::getpid(); }
 
 inline FileStatus status_of(const std::string& path) noexcept {
   struct ::stat found {};
-  if (::stat(path.c_str(), &found) != 0) return {};
+  if (::stat(path.c_str(), &found) != 0) {
+    return {errno == ELOOP ? FileStatus::Kind::other : FileStatus::Kind::none, 0};
+  }
   const auto kind = S_ISREG(found.st_mode)   ? FileStatus::Kind::regular
                     : S_ISDIR(found.st_mode) ? FileStatus::Kind::folder
                                              : FileStatus::Kind::other;
@@ -176,10 +178,29 @@ inline void sync_folder(const std::string& folder) noexcept {
   ::close(opened);
 }
 
-/// The file behind a link, or the path itself where there is none.
+/// What a link itself says, from its folder on; empty of what is no link.
+inline std::string link_target(const std::string& path) {
+  std::string target(4096, '\0');
+  const auto length = ::readlink(path.c_str(), &target[0], target.size());
+  if (length <= 0 || static_cast<std::size_t>(length) == target.size()) return {};
+  target.resize(static_cast<std::size_t>(length));
+  const std::size_t slash = path.find_last_of(folder_separators);
+  if (target[0] == '/' || slash == std::string::npos) return target;
+  return path.substr(0, slash + 1) + target;
+}
+
+/// The file behind a link, which need not be there yet, or the path itself where there is no link.
 inline std::string real_path(const std::string& path) {
-  const std::unique_ptr<char, void (*)(void*)> target(::realpath(path.c_str(), nullptr), std::free);
-  return target ? std::string(target.get()) : path;
+  std::string name = path;
+  for (int links = 0; links < 40; ++links) {
+    const std::unique_ptr<char, void (*)(void*)> found(::realpath(name.c_str(), nullptr),
+                                                       std::free);
+    if (found) return found.get();
+    const std::string target = link_target(name);
+    if (target.empty()) return name;
+    name = target;
+  }
+  return path;
 }
 
 /// Waits until no other process or thread holds the folder; `valid` unless that cannot be asked.

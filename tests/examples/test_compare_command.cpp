@@ -147,6 +147,28 @@ TEST_CASE("compare refuses where no ranking could be wrong", "[examples][regress
   CHECK(comparison.at("true_pairs") > 0);
 }
 
+TEST_CASE("two files of scores never share a row's name", "[examples][regression]") {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder.path("a"));
+  const std::string list = "query,candidate,score\n0,0,0.5\n1,1,0.25\n";
+  const std::string first = folder.write("x.csv", list), second = folder.write("a/x.csv", list);
+  CHECK(refusal(sets + sample_options + "--scores " + first + ' ' + folder.path("a/../x.csv")) ==
+        "--scores " + folder.path("a/../x.csv") + ": it is given twice; leave one out");
+  const auto names = [&](const std::string& scores) {
+    std::multiset<std::string> found;
+    const Json comparison = compare(sets + " --scores " + scores);
+    for (const Json& row : comparison.at("methods")) {
+      found.insert(row.at("name").get<std::string>());
+    }
+    return found;
+  };
+  const auto both = names(first + ' ' + second), one = names(first);
+  CHECK(both.count(first) == 1);
+  CHECK(both.count(second) == 1);
+  CHECK(both.count("x.csv") == 0);
+  CHECK(one.count("x.csv") == 1);
+}
+
 TEST_CASE("compare prints a table and writes a report", "[examples][report]") {
   const ScratchFolder folder;
   const ProgramRun run = run_program(sets + sample_options + " --report " + folder.path("r.html") +

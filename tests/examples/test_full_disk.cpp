@@ -77,6 +77,8 @@ TEST_CASE("a full disk leaves a map as it was, or none", "[examples]") {
       CAPTURE(arguments, run.err);
       CHECK(run.exit_code == 2);
       CHECK(text_ends_with(run.err, ": File too large\n"));
+      CHECK(run.err.find("topobag: " + folder.path(file)) == 0);
+      CHECK(run.err.find(".part-") == std::string::npos);  // no name that the user gave
     };
     check_told(map + "--nodes " + sample_map);
     check_unchanged(folder, {}, "");

@@ -66,3 +66,26 @@ TEST_CASE("each file of a table stands for it", "[examples][regression]") {
   CAPTURE(view.err);
   CHECK(view.exit_code == 0);
 }
+
+TEST_CASE("a session's name can be shown and is no longer than a file's",
+          "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string map = "map --nodes " + sample_map + sample_options + "--out " +
+                          folder.path("m.bag") + " --session ";
+  const auto said = [](int byte) {
+    return "--session: byte " + std::to_string(byte) +
+           " of the name begins a control character; give a name that can be shown";
+  };
+  CHECK(refusal(map + "'Mon\nday'") == said(4));
+  CHECK(refusal(map + "'\x1b[31m'") == said(1));
+  CHECK(refusal(map + "'a\x7f'") == said(2));
+  CHECK(refusal(map + "'a\xC2\x85'") == said(2));
+  CHECK(refusal(map + std::string(256, 'a')) ==
+        "--session: the name has 256 bytes; give one of at most 255");
+  for (const std::string& name : {std::string(255, 'a'), std::string("'\xC3\xA4 \xE6\x9C\x88'")}) {
+    const ScratchFolder own;
+    CHECK(run_program("map --nodes " + sample_map + sample_options + "--out " + own.path("m.bag") +
+                      " --session " + name)
+              .exit_code == 0);
+  }
+}

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "catch.hpp"
+#include "error_text.hpp"
 #include "scratch_folder.hpp"
 
 namespace {
@@ -69,4 +70,26 @@ TEST_CASE("what other options or images made, or is not whole, is no beginning",
   CHECK(rows("a", images) == 0);
   folder.write("set.partial.json", "{");
   CHECK(rows("a", images) == 0);
+}
+
+TEST_CASE("what an earlier run kept is not written over by another one", "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string set = folder.path("set");
+  const auto said = [&](const std::string& made_with, const std::vector<program::RgbdFrame>& of) {
+    return error_text([&] { NodesCheckpoint(set, made_with).require_own(of); });
+  };
+  CHECK(said("a", images) == "nothing was thrown");
+  NodesCheckpoint(set, "a", checkpoint_classes, std::chrono::seconds(0)).keep(first_image());
+  const std::string other =
+      set + ".partial.json: an earlier run with other options, or of other images, kept 1 frames; "
+            "give what it was given to go on, delete " +
+      set + ".partial.* to begin anew, or give another --out";
+  CHECK(said("a", images) == "nothing was thrown");
+  CHECK(said("b", images) == other);
+  CHECK(said("a", {images[1]}) == other);
+  const std::string nodes = content_of(set + ".partial.nodes.csv");
+  folder.write("set.partial.nodes.csv", nodes.substr(0, nodes.find('\n') + 1));
+  CHECK(said("a", images) == "nothing was thrown");  // of another moment: nothing to go on with
+  folder.write("set.partial.json", "{");
+  CHECK(said("a", images) == "nothing was thrown");
 }

@@ -3,11 +3,16 @@
 
 #include <unistd.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <string>
 #include <system_error>
 #include <vector>
 
 #include <topobag/adaptors/sqlite.hpp>
+
+#include "input_error.hpp"
+#include "map_journal.hpp"
 
 namespace program {
 namespace {
@@ -36,14 +41,40 @@ struct WithSessions {
   }
 };
 
-/// A new map until it takes its name.
-struct UnfinishedFile {
-  std::string path;
-
-  ~UnfinishedFile() {
-    std::error_code ignored;
-    for (const char* part : {"", "-wal", "-shm", "-journal"}) fs::remove(path + part, ignored);
+/// A new map until it takes its name. A link is followed: the file behind it is made.
+class UnfinishedMap {
+ public:
+  explicit UnfinishedMap(const std::string& name)
+      : name_(name),
+        file_(file_behind(name)),
+        part_(file_ + ".part-" + std::to_string(::getpid())) {
+    require_no_journal(name_);
   }
+  UnfinishedMap(const UnfinishedMap&) = delete;
+  UnfinishedMap& operator=(const UnfinishedMap&) = delete;
+  ~UnfinishedMap() {
+    std::error_code ignored;
+    for (const char* ending : {"", "-wal", "-shm", "-journal"}) fs::remove(part_ + ending, ignored);
+  }
+
+  /// Calls `fill(map)`; then the map has its name. What fails is told of this name.
+  template <typename Fill>
+  void finish(const topobag::DescribedCatalog& classes, const Fill& fill) {
+    try {
+      topobag::SqliteBag<> map(part_, sqlite_options(false, classes));
+      fill(map);
+    } catch (const topobag::Error& error) {
+      std::string text = error.what();
+      if (text.compare(0, part_.size(), part_) == 0) text = name_ + text.substr(part_.size());
+      throw topobag::Error(text);
+    }
+    std::error_code failed;
+    fs::rename(part_, file_, failed);  // closed, it is one file
+    if (failed) throw InputError(name_, "it cannot be written: " + failed.message());
+  }
+
+ private:
+  std::string name_, file_, part_;
 };
 
 }  // namespace
@@ -64,21 +95,20 @@ SavedMap read_sqlite_map(const std::string& path, const topobag::DescribedCatalo
 
 void write_sqlite_map(const std::string& path, const SavedMap& map,
                       const topobag::DescribedCatalog& classes) {
-  const UnfinishedFile unfinished{path + ".part-" + std::to_string(::getpid())};
-  topobag::SqliteBag<>(unfinished.path, sqlite_options(false, classes)).merge(WithSessions{map});
-  fs::rename(unfinished.path, path);  // closed, it is one file
+  UnfinishedMap(path).finish(classes,
+                             [&](topobag::SqliteBag<>& made) { made.merge(WithSessions{map}); });
 }
 
 void extend_sqlite_map(const std::string& path, const std::string& session,
                        const topobag::BagOfTopologyGraphs<>& entries,
                        const topobag::DescribedCatalog& classes) {
-  const bool exists = fs::exists(path);
-  const UnfinishedFile unfinished{path + ".part-" + std::to_string(::getpid())};
-  {
-    topobag::SqliteBag<> map(exists ? path : unfinished.path, sqlite_options(false, classes));
-    map.add_session(session, entries);
+  const auto add = [&](topobag::SqliteBag<>& map) { map.add_session(session, entries); };
+  if (!fs::exists(path)) {
+    UnfinishedMap(path).finish(classes, add);
+  } else {
+    topobag::SqliteBag<> map(path, sqlite_options(false, classes));
+    add(map);
   }
-  if (!exists) fs::rename(unfinished.path, path);  // closed, it is one file
 }
 
 }  // namespace program

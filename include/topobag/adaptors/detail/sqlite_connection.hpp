@@ -24,6 +24,11 @@ namespace detail {
     throw FormatError(text + ": it is no SQLite map (a snapshot is for `load`), or damaged; take " +
                       "another copy");
   }
+  if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+    throw Error(text + ": another program has it open and is writing to it; wait until that is " +
+                "done or end it, then try again");
+  }
+  if (code == SQLITE_FULL) throw Error(text + "; make room, then try again");
   const std::string journal = sqlite_journal_of(path);
   if ((code == SQLITE_READONLY || code == SQLITE_CANTOPEN) && !journal.empty()) {
     throw Error(path +
@@ -40,8 +45,8 @@ namespace detail {
 /// An open SQLite file.
 class SqliteConnection {
  public:
-  /// Throws Error when it cannot be opened, FormatError as `require_journal`; without `read_only`
-  /// it is made where it is missing.
+  /// Throws Error when it cannot be opened, and as `require_journal`; without `read_only` it is
+  /// made where it is missing.
   SqliteConnection(const std::string& path, bool read_only) : path_(path) {
     // SQLite's names for a data base that goes with its connection.
     if (path.empty() || path == ":memory:") {
@@ -64,6 +69,15 @@ class SqliteConnection {
   /// Runs statements that return nothing. Throws Error.
   void run(const char* sql) const {
     if (sqlite3_exec(get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+  }
+
+  /// Puts what is in the -wal into the file too, as far as no reader is in the way; whether all of
+  /// it is there now.
+  bool checkpoint() const noexcept {
+    int pages = 0, done = -1;
+    const int status =
+        sqlite3_wal_checkpoint_v2(get(), "main", SQLITE_CHECKPOINT_PASSIVE, &pages, &done);
+    return status == SQLITE_OK && pages == done;
   }
 
   [[noreturn]] void fail() const { sqlite_fail(get(), path_); }

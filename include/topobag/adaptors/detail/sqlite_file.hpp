@@ -28,10 +28,14 @@ class SqliteFile {
  public:
   /// Throws as `SqliteBag`.
   SqliteFile(const std::string& path, SqliteOptions options)
-      : options_(std::move(options)), connection_(path, options_.read_only) {
+      : options_(std::move(options)),
+        goes_on_(is_write_ahead_log(real_path(path) + "-wal")),
+        connection_(path, options_.read_only) {
     prepare_schema(connection_, options_.read_only);
-    if (!options_.read_only)
+    if (!options_.read_only) {
+      note_opening();
       connection_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    }
     if (options_.catalog) agree_on_catalog(connection_, *options_.catalog, options_.read_only);
     data_version_ = sqlite_number(connection_, "PRAGMA data_version");
   }
@@ -50,7 +54,12 @@ class SqliteFile {
       throw Error(path() + ": another process has changed the map; open it again");
     }
     work();
+    if (!noted_) connection_.run(unclosed_1);
     transaction.commit();
+    // The change is made, whatever becomes of the note.
+    noted_ = noted_ ||
+             (connection_.checkpoint() &&
+              sqlite3_exec(connection_.get(), unclosed_2, nullptr, nullptr, nullptr) == SQLITE_OK);
   }
 
   /// @param graph  that of the entry, decoded
@@ -96,6 +105,17 @@ class SqliteFile {
   }
 
  private:
+  /// So that a journal that was lost is told from one that nothing was written to: 'unclosed' is 0
+  /// from the opening on; 1 in the first change, which goes to the file itself at once; and 2 in
+  /// the journal from then on, and in the file when more of the journal has come there.
+  void note_opening() {
+    const std::int64_t value = sqlite_number(
+        connection_, "SELECT coalesce((SELECT value FROM meta WHERE key = 'unclosed'), -1)");
+    noted_ = goes_on_ && value == 2;
+    if (value == 0 || (goes_on_ && value > 0)) return;
+    connection_.run("INSERT OR REPLACE INTO meta(key, value) VALUES('unclosed', 0)");
+  }
+
   template <typename F>
   void read(SqliteStatement& rows, const F& f) const {
     const SqliteImages images(connection_);
@@ -118,10 +138,15 @@ class SqliteFile {
     return *statement;
   }
 
+  static constexpr const char* unclosed_1 = "UPDATE meta SET value = 1 WHERE key = 'unclosed'";
+  static constexpr const char* unclosed_2 = "UPDATE meta SET value = 2 WHERE key = 'unclosed'";
+
   SqliteOptions options_;
+  bool goes_on_;  ///< with a journal that was left beside the file
   SqliteConnection connection_;
   std::optional<SqliteStatement> insert_, update_, move_;
   std::int64_t data_version_ = 0;
+  bool noted_ = false;  ///< that there were changes
 };
 
 }  // namespace detail
