@@ -133,17 +133,16 @@ RunSummary verified(RecognitionRun& run, const PairScores& scores, const topobag
 ComparedMethod own_method(RecognitionRun& run, const std::string& path, const std::string& name,
                           const topobag::PlaceTruth& truth, const Comparison& comparison) {
   const PairScores scores = read_pair_scores(path, false);
-  ComparedMethod method{name, "scores of " + path};
-  method.labelled = label_scores(scores, truth, path);
+  ComparedMethod method{name, "scores of " + path, label_scores(scores, truth, path)};
   method.meaning += unscored_text(method.labelled, comparison.true_pairs + comparison.false_pairs);
   method.poses = verified(run, scores, truth, comparison.verified);
   return method;
 }
 
 void compare(const CompareArguments& arguments) {
-  if (is_saved_map(arguments.tables.map)) {
-    throw InputError(arguments.tables.map,
-                     "compare makes the graphs anew and needs a node table, not a saved map");
+  const std::string& map = arguments.tables.map;
+  if (is_saved_map(map)) {
+    throw InputError(map, "compare makes the graphs anew and needs a node table, not a saved map");
   }
   const std::vector<std::string> own_names = score_names(arguments.own_scores);
   RecognitionRun run = read_run(arguments, arguments.keyframes);
@@ -191,9 +190,9 @@ void compare(const CompareArguments& arguments) {
   }
   for (SimilarityScores& similarity : similarities) {
     const ProgressPart part = part_of_next();
-    ComparedMethod method{std::move(similarity.name), std::move(similarity.meaning)};
-    method.labelled = topobag::label_scores(similarity.scores, places.truth);
-    method.pair_us = similarity.pair_us;
+    ComparedMethod method{std::move(similarity.name), std::move(similarity.meaning),
+                          topobag::label_scores(similarity.scores, places.truth),
+                          similarity.pair_us};
     method.poses = verified(run, std::move(similarity.scores), places.truth, arguments.verified);
     comparison.methods.push_back(std::move(method));
   }

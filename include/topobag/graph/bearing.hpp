@@ -78,9 +78,10 @@ BearingSighting sight_bearings(const Detections& detections, const PinholeCamera
   using Traits = detection_traits<Detected>;
   LiftOptions at_one_metre = options.lifting;
   at_one_metre.min_depth = at_one_metre.max_depth = 1.0;
-  const auto lifted = detail::lift_with(
-      detections, [](const auto&, const BoundingBox&) { return std::optional<double>(1.0); },
-      camera, catalog, at_one_metre);
+  const auto one_metre = [](const auto&, const BoundingBox&) {
+    return std::optional(DepthEstimate{1.0, 0.0});
+  };
+  const auto lifted = detail::lift_with(detections, one_metre, camera, catalog, at_one_metre);
   BearingSighting sighting;
   sighting.dropped = lifted.dropped;
   sighting.sources = lifted.sources;

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/types/detail/one_alignment.hpp>
+
 namespace topobag {
 inline namespace v0 {
 
