@@ -166,8 +166,8 @@ TEST_CASE("the support of a pose is told beside that of the best other one", "[r
     other.significance = support;
     other.degenerate = false;
   }
-  const auto stages =
-      detail::stages_of(report, TopologyGraph<>{}, RecognitionOptions{}, std::nullopt);
+  const auto stages = detail::stages_of(report, TopologyGraph<>{}, TopologyGraph<>{},
+                                        RecognitionOptions{}, std::nullopt);
   CHECK(stages.back().name == "support over other poses");
   CHECK(stages.back().value == Approx(4.0));
 }

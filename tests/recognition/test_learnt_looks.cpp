@@ -42,7 +42,7 @@ RecognitionOptions with_told_looks(AppearanceKind kind) {
   return options;
 }
 
-const std::string refused =
+const std::string refused_looks =
     "the calibration learnt looks by descriptors of another kind (8 numbers) than the map's (16 "
     "numbers): calibrate this map anew";
 
@@ -114,7 +114,7 @@ TEST_CASE("bearings are judged by the looks that a calibration learnt",
   CHECK(error_text([&] {
           locate_by_bearings(relocalizer.map(), query,
                              with_learnt_looks(AppearanceKind("other", 8)));
-        }) == refused);
+        }) == refused_looks);
 }
 
 TEST_CASE("a calibration that learnt other looks than the map's is refused",
@@ -123,18 +123,18 @@ TEST_CASE("a calibration that learnt other looks than the map's is refused",
   const auto query = rooms.seen(1, random_camera(rooms.random));
   const auto relocalizer = rooms.relocalizer();
   RecognitionOptions other = with_learnt_looks(AppearanceKind("other", 8));
-  CHECK(error_text([&] { relocalizer.localize(query, other); }) == refused);
+  CHECK(error_text([&] { relocalizer.localize(query, other); }) == refused_looks);
   CHECK_NOTHROW(relocalizer.localize(query, with_learnt_looks(rooms.kind)));
   CHECK_THROWS_AS(relocalizer.localize(query, with_learnt_looks(AppearanceKind("twin", 16))),
                   InvalidValue);
-  CHECK(error_text([&] { calibrate(rooms.relocalizer(other), rooms.ids); }) == refused);
+  CHECK(error_text([&] { calibrate(rooms.relocalizer(other), rooms.ids); }) == refused_looks);
   CalibrateOptions options;
   options.appearance = made_up_looks(AppearanceKind("other", 8));
-  CHECK(error_text([&] { calibrate(relocalizer, rooms.ids, {}, options); }) == refused);
+  CHECK(error_text([&] { calibrate(relocalizer, rooms.ids, {}, options); }) == refused_looks);
 
   LoopDetector<IndexedBag> loops({20.0, other});
   loops.bag().add(rooms.ids[0], rooms.graphs[0], rooms.infos[0]);
-  CHECK(error_text([&] { loops.detect(1000.0, query); }) == refused);
+  CHECK(error_text([&] { loops.detect(1000.0, query); }) == refused_looks);
 }
 
 TEST_CASE("a map without looks takes any calibration", "[recognition][appearance]") {
