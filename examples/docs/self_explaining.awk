@@ -12,6 +12,7 @@ function say(sentence) {
 / empty\(\) const/ { say("Whether there is none.") }
 / void clear\(\)/ { say("Takes everything out.") }
 / bool contains\((KeyframeId|ClassId|Dynamics) [a-z]+\) const/ { say("Whether it is there.") }
+/ (after|before)\(KeyframeId id\) const/ { say("The id next to this one, which need not be there; nothing at the end.") }
 /^  using [A-Z][A-Za-z0-9]* = / { say("As used here.") }
 /^  (double (mean|median|max)|std::size_t count) = / { say("Of the errors.") }
 /EdgeList operator\(\)\(const std::vector</ { say("The edges of these nodes.") }

@@ -107,7 +107,7 @@ TEST_CASE("without looks a calibration is what it was", "[examples][appearance]"
   const LooksJson learnt =
       looks_run("loops --min-gap 5 --calibrate --save-calibration " + file + " --nodes " + map);
   CHECK(learnt.at("calibration").at("learnt_looks") == false);
-  CHECK(program::read_file(file).find("topobag calibration 1\n") == 0);
+  CHECK(program::read_file(file).find("appearance_") == std::string::npos);
   CHECK_FALSE(topobag::parse_calibration(program::read_file(file)).appearance());
 }
 
