@@ -136,7 +136,7 @@ class SqliteBag : public detail::ReadsFromMemory<Bag_> {
   /// @param other  with `for_each` as this one's
   template <typename Other>
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
-    detail::require_entries<Other, Graph>();
+    static_assert(detail::require_entries<Other, Graph>());
     options.validate();
     Rows rows(other, appearance_kind_, file_.options().views, options);
     std::set<KeyframeId> theirs;

@@ -53,11 +53,12 @@ inline constexpr bool
                         std::declval<void (*)(KeyframeId, const EntryInfo&, const Graph&)>()))>> =
         true;
 
-/// Of a bag that is merged into another.
+/// Of a bag that is merged into another. To be asked within a static_assert, which comes first.
 template <typename Bag, typename Graph>
-constexpr void require_entries() {
+constexpr bool require_entries() {
   static_assert(shows_entries_v<Bag, Graph>,
                 "topobag: a bag to merge has for_each, of KeyframeId, EntryInfo and Graph.");
+  return true;
 }
 
 template <typename Bag, typename = void>

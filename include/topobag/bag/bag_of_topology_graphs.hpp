@@ -93,7 +93,7 @@ class BagOfTopologyGraphs {
   /// @param other  with `for_each` as this one's
   template <typename Other>
   std::map<KeyframeId, KeyframeId> merge(const Other& other, const MergeOptions& options = {}) {
-    detail::require_entries<Other, Graph>();
+    static_assert(detail::require_entries<Other, Graph>());
     options.validate();
     detail::DescriptorKinds kinds = kinds_;
     using Descriptor = decltype(descriptor_of(std::declval<const Graph&>()));

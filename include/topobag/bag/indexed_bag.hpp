@@ -161,7 +161,7 @@ class BasicIndexedBag {
     if constexpr (std::is_same_v<detail::PresentView<Other>, View>) {
       return merge(*detail::present_view(other, 0), options);
     } else {
-      detail::require_entries<Other, Graph>();
+      static_assert(detail::require_entries<Other, Graph>());
       BasicIndexedBag copy(*similarity_, views_);
       other.for_each([&](KeyframeId id, const EntryInfo& info, const Graph& graph) {
         copy.add(id, graph, info);
