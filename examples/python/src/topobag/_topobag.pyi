@@ -474,13 +474,14 @@ class LocalGraphOptions:
     window: float
 
 class PlaceOptions:
-    def __init__(self, max_hypotheses: int = ..., max_rivals: int = ..., min_score: float = ..., distinct_translation: float = ..., distinct_rotation: float = ..., min_id_gap: int = ..., max_keyframes: int = ..., radius: float = ..., turn_weight: float = ..., spacing: float = ..., max_neighbors: int = ..., max_contradiction: float = ..., margin: float = ..., max_depth: float = ..., fusing: LocalGraphOptions = ...) -> None: ...
+    def __init__(self, max_hypotheses: int = ..., max_rivals: int = ..., min_score: float = ..., distinct_translation: float = ..., distinct_rotation: float = ..., min_id_gap: int = ..., max_followed: int = ..., max_keyframes: int = ..., radius: float = ..., turn_weight: float = ..., spacing: float = ..., max_neighbors: int = ..., max_contradiction: float = ..., margin: float = ..., max_depth: float = ..., fusing: LocalGraphOptions = ...) -> None: ...
     distinct_rotation: float
     distinct_translation: float
     fusing: LocalGraphOptions
     margin: float
     max_contradiction: float
     max_depth: float
+    max_followed: int
     max_hypotheses: int
     max_keyframes: int
     max_neighbors: int
