@@ -116,15 +116,16 @@ LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth
 /// covariance is the noise of the options and, beside it, the deviation of its depth where the
 /// sampling or the detection tells one (`DepthEstimate`).
 ///
+/// Throws UnknownClass with the detection's index, InvalidValue for a bad camera and as
+/// `require_registered`. O(n · sampling).
+///
 /// @param detections  any range whose elements fit `detection_traits`; boxes are clipped to the
-/// image
+///                    image
 /// @param depth       depth source: `pixel -> optional metres`
 /// @param camera      of the image the boxes are in; with its size known, cut and too large boxes
-/// are seen
+///                    are seen
 /// @param catalog     the classes that the labels number
-/// @param sampling    depth sampling policy: `RobustBoxDepth`, or `CenterDepth` for the paper's
-/// reading Throws UnknownClass with the detection's index, InvalidValue for a bad camera
-/// and as `require_registered`. O(n · sampling).
+/// @param sampling    `RobustBoxDepth`, or `CenterDepth` for the paper's reading
 template <typename Detections, typename Depth, typename Scalar, typename Sampling = RobustBoxDepth>
 LiftedNodes<Scalar> lift_detections(const Detections& detections, const Depth& depth,
                                     const PinholeCamera<Scalar>& camera,
