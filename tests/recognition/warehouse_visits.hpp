@@ -71,7 +71,7 @@ class WarehouseMap {
             to_string(topobag::explain(found, relocalizer_.map(), query,
                                        topobag::ClassCatalog::coco80(), relocalizer_.options()));
         const std::string line = "another place fits about as well: key frame " +
-                                 std::to_string(topobag::value(rival.id)) + "\n";
+                                 std::to_string(topobag::value(rival.id)) + ", with the query at";
         if (text.find(line) != std::string::npos) ++figures.told;
       }
     }
