@@ -47,9 +47,10 @@ std::optional<Eigen::Isometry3d> between(const Bag& bag, std::uint64_t a, std::u
 
 TEST_CASE("where key frames stand is followed by the map's own objects", "[recognition]") {
   const std::uint64_t count = 30;
+  const RecognitionOptions options;
   for (const std::uint64_t stride : {1U, 17U}) {
     const auto bag = filmed_room<BagOfTopologyGraphs<>>(count, stride);
-    detail::KeyframeMotion<BagOfTopologyGraphs<>> motion(bag, RecognitionOptions{});
+    detail::KeyframeMotion<BagOfTopologyGraphs<>> motion(bag, options);
     const auto info = bag.info(KeyframeId{0});
     for (std::uint64_t a = 0; a < count; a += 3) {
       for (std::uint64_t b = 0; b < count; b += 2) {
