@@ -61,6 +61,7 @@ class KeyframeMotion {
   /// Refers to both.
   KeyframeMotion(const Bag& bag, const RecognitionOptions& options)
       : bag_(bag), options_(options), steps_left_(options.place.max_followed) {}
+  KeyframeMotion(const Bag&, RecognitionOptions&&) = delete;
 
   /// T_a_b, or nothing. O(1) with poses; else O(key frames between them · match), of which a query
   /// has `PlaceOptions::max_followed`.
