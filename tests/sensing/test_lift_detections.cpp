@@ -119,19 +119,6 @@ TEST_CASE("each reason to drop a detection is counted as itself", "[sensing]") {
   CHECK(dropped({{0.0, 0.0, 639.0, 400.0}, tv, 0.9}, std::nullopt).too_large == 1);
 }
 
-TEST_CASE("dropped detections add up over frames", "[sensing]") {
-  DroppedDetections sum;
-  sum += DroppedDetections{1, 2, 3, 4, 5, 6};
-  sum += DroppedDetections{10, 20, 30, 40, 50, 60};
-  CHECK(sum.invalid == 11);
-  CHECK(sum.low_confidence == 22);
-  CHECK(sum.dynamic == 33);
-  CHECK(sum.too_large == 44);
-  CHECK(sum.no_depth == 55);
-  CHECK(sum.out_of_range == 66);
-  CHECK(sum.total() == 231);
-}
-
 TEST_CASE("which levels of dynamics stay is the caller's choice", "[sensing]") {
   const BoundingBox box{100.0, 100.0, 200.0, 200.0};
   LiftOptions everything;

@@ -6,17 +6,6 @@
 
 using namespace topobag;
 
-TEST_CASE("the default sensor is the hand-held one, and what lifting takes", "[sensing]") {
-  const SensorProfile hand_held = SensorProfile::hand_held_rgbd();
-  const LiftOptions usual, lifted = lift_options(hand_held);
-  CHECK(lifted.min_depth == usual.min_depth);
-  CHECK(lifted.max_depth == usual.max_depth);
-  const Eigen::Vector3d position(0.5, 0.2, 3.0);
-  const Eigen::Vector2d size(0.4, 0.3);
-  CHECK(lifted.noise.covariance(position, size, false) ==
-        usual.noise.covariance(position, size, false));
-}
-
 TEST_CASE("every profile's ranges, gates and radii are in order", "[sensing]") {
   for (const SensorProfile& sensor :
        {SensorProfile::hand_held_rgbd(), SensorProfile::stereo_robot(), SensorProfile::warehouse(),
