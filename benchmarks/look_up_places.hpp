@@ -12,6 +12,7 @@
 #include "keyframe_graphs.hpp"
 #include "place_run.hpp"
 #include "pooled_figures.hpp"
+#include "run_map.hpp"
 
 /// By how much less than the default is asked for, so that the best answer which passes every other
 /// stage is accepted whatever its score.
@@ -59,14 +60,6 @@ inline std::vector<program::Keyframe> keyframes_of(const PlaceRun& run, bool of_
     }
   }
   return keyframes;
-}
-
-/// What a front end knows of a key frame of its map.
-inline topobag::EntryInfo info_of(const program::Keyframe& keyframe) {
-  topobag::EntryInfo info;
-  info.stamp = keyframe.timestamp;
-  info.T_world_camera = keyframe.T_world_camera;
-  return info;
 }
 
 /// Looks the run's queries up: every `stride`-th key frame of those with enough objects and

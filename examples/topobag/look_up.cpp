@@ -1,61 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "look_up.hpp"
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/explain.hpp>
-#include <topobag/recognition/learn_map_appearance.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/recognition/place_score.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 
 #include "input_error.hpp"
+#include "learnt_calibration.hpp"
 #include "progress.hpp"
+#include "run_map.hpp"
 #include "stopwatch.hpp"
 
 namespace program {
 namespace {
-
-/// What a front end knows of a key frame of its map.
-topobag::EntryInfo info_of(const Keyframe& keyframe) {
-  topobag::EntryInfo info;
-  info.stamp = keyframe.timestamp;
-  info.T_world_camera = keyframe.T_world_camera;
-  if (keyframe.saved) info.session = keyframe.saved->session.id;
-  return info;
-}
-
-/// The program's options for a run, with the decision that it was calibrated for. A map of objects
-/// was seen by no camera, so that it has no direction that one would look in again.
-topobag::RecognitionOptions options_of(const RecognitionRun& run) {
-  topobag::RecognitionOptions options = recognition_options_for(run.classes);
-  const bool objects = std::all_of(run.map.begin(), run.map.end(), [](const Keyframe& keyframe) {
-    return keyframe.graph.views().empty();
-  });
-  if (objects) options.matching.viewpoint.share = 0.0;
-  options.matching.scale = run.scale;
-  if (run.calibrated) {
-    options.decision.false_accept_rate = run.calibrated->false_accept_rate;
-    options.decision.calibration = run.calibrated->calibration;
-  }
-  return options;
-}
-
-/// The map of a run.
-topobag::Relocalizer<> relocalizer_of(const RecognitionRun& run) {
-  const std::vector<Keyframe>& map = run.map;
-  topobag::Relocalizer<> relocalizer(options_of(run));
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    if (!map[i].graph.is_matchable()) continue;
-    relocalizer.map().add(topobag::KeyframeId{i}, map[i].graph, info_of(map[i]));
-  }
-  return relocalizer;
-}
 
 TriedCandidate tried_candidate(const topobag::CandidateReport& report) {
   TriedCandidate tried;
@@ -89,76 +54,6 @@ QueryRecord timed(KeptCandidates kept, const Recognize& recognize) {
   return record;
 }
 
-/// Throws InputError where key frames that shall be of other places are the map's own.
-void require_elsewhere(const RecognitionRun& run, const std::vector<Keyframe>& other_places) {
-  RecognitionRun own;
-  own.map = run.map;
-  own.queries = other_places;
-  const std::size_t count = count_in_map(own);
-  if (count == 0) return;
-  throw InputError("--other-place", std::to_string(count) + " of its " +
-                                        std::to_string(other_places.size()) +
-                                        " key frames are the map's own, which are no other place");
-}
-
-/// What the looks of the map's and other places' objects say; nothing where they have none, or are
-/// too few to tell, which `sentence` tells.
-std::optional<topobag::AppearanceModel> learnt_looks(const topobag::Relocalizer<>& relocalizer,
-                                                     const std::vector<topobag::KeyframeId>& ids,
-                                                     const std::vector<Keyframe>& other_places,
-                                                     double min_gap, std::string& sentence) {
-  const topobag::AppearanceKind kind = relocalizer.map().appearance_kind();
-  if (kind.length() == 0) return std::nullopt;
-  topobag::AppearanceCounts counts(kind);
-  topobag::MapAppearanceOptions options;
-  options.right.min_time_gap = min_gap;
-  Progress progress(ids.size(), "key frames to learn looks from at most");
-  options.on_query = [&] { progress.step(); };
-  topobag::learn_map_appearance(counts, relocalizer, ids, options);
-  for (const Keyframe& other : other_places) {
-    topobag::learn_elsewhere_appearance(counts, relocalizer, other.graph);
-  }
-  sentence = "learnt of " + std::to_string(counts.same()) + " pairs of one object and " +
-             std::to_string(counts.other()) + " of two";
-  const std::size_t least = topobag::AppearancePrior{}.min_pairs;
-  if (std::min(counts.same(), counts.other()) >= least) return counts.model();
-  sentence = "not " + sentence + "; it takes " + std::to_string(least) + " of either";
-  return std::nullopt;
-}
-
-/// Learns from the map of a run.
-/// @param min_gap  s; a key frame with a pose is not looked up among those nearer in time
-CalibratedRun learn(const RecognitionRun& run, const CalibrationRequest& request,
-                    std::optional<double> min_gap) {
-  const std::vector<Keyframe>& other_places = request.other_places;
-  const topobag::Relocalizer<> relocalizer = relocalizer_of(run);
-  std::vector<topobag::KeyframeId> ids;
-  for (std::size_t i = 0; i < run.map.size(); ++i) ids.push_back(topobag::KeyframeId{i});
-  const auto usable =
-      std::count_if(other_places.begin(), other_places.end(),
-                    [](const Keyframe& other) { return other.graph.is_matchable(); });
-  topobag::CalibrateOptions options;
-  if (min_gap) options.by_pose.min_time_gap = *min_gap;
-  if (static_cast<std::size_t>(usable) >= options.calibration.min_negatives) {
-    options.null_queries = 0;
-  }
-  CalibratedRun calibrated{request.false_accept_rate};
-  options.appearance =
-      learnt_looks(relocalizer, ids, other_places, options.by_pose.min_time_gap, calibrated.looks);
-  // A null model is only asked where the map's poses do not tell enough, which turns out later.
-  Progress progress(ids.size() + options.null_queries, "queries to learn from at most");
-  options.on_query = [&] { progress.step(); };
-  calibrated.calibration = topobag::calibrate(relocalizer, ids, {}, options);
-  topobag::RecognitionOptions open = relocalizer.options();
-  open.decision.calibration = calibrated.calibration;  // for what it learnt of looks
-  open = topobag::without_threshold(open);
-  for (const Keyframe& other : other_places) {
-    if (!other.graph.is_matchable()) continue;
-    topobag::add_negative(calibrated.calibration, relocalizer.localize(other.graph, open));
-  }
-  return calibrated;
-}
-
 /// The program's options with the decision that was asked for, which the run then tells of.
 topobag::RecognitionOptions decided_options(RecognitionRun& run, const CalibrationRequest& request,
                                             std::optional<double> min_gap = std::nullopt) {
@@ -167,8 +62,7 @@ topobag::RecognitionOptions decided_options(RecognitionRun& run, const Calibrati
     run.calibrated = {request.false_accept_rate, *request.learnt};
     if (request.learnt->appearance()) run.calibrated->looks = "as learnt before";
   } else if (request.learn) {
-    require_elsewhere(run, request.other_places);
-    run.calibrated = learn(run, request, min_gap);
+    run.calibrated = learnt_calibration(run, request, min_gap);
   }
   topobag::RecognitionOptions options = options_of(run);
   options.decision.false_accept_rate = request.false_accept_rate;

@@ -12,8 +12,7 @@
 
 #include "recognition_run.hpp"
 
-// The program's one place that matches graphs, which is slow to compile. Each call replaces the
-// run's queries; the ids in them are positions in the run's map.
+// Each call replaces the run's records; the ids in them are positions in the run's map.
 namespace program {
 
 /// At which rate a decision errs, and by what it knows that.
