@@ -45,7 +45,7 @@ void SemanticSlam::FrameMade(Frame& frame, const cv::Mat& rgb, const cv::Mat& de
   } catch (const std::exception&) {
     ++masked_.failed;
   }
-  note("tracking: mask features", watch.milliseconds());
+  records_.took("tracking: mask features", watch.milliseconds());
 }
 
 void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
@@ -66,13 +66,13 @@ void SemanticSlam::KeyFrameMade(KeyFrame* key_frame) {
     }
   }
   thread_.push({epoch, id, std::move(images)});
-  note("tracking: hand a key frame over", watch.milliseconds());
+  records_.took("tracking: hand a key frame over", watch.milliseconds());
 }
 
 void SemanticSlam::Added(KeyFrame* key_frame) {
   const Stopwatch watch;
   database_.add(key_frame);
-  note("loop closing: add", watch.milliseconds());
+  records_.took("loop closing: add", watch.milliseconds());
 }
 
 void SemanticSlam::Erased(KeyFrame* key_frame) {
@@ -98,10 +98,8 @@ void SemanticSlam::LoopCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& c
   const Stopwatch watch;
   const auto places = database_.loop_places(key_frame);
   candidates = topobag::merge_candidates(places, candidates);
-  note("loop closing: query", watch.milliseconds());
-  const auto offered = offers(*key_frame, places);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  offered_loops_.insert(offered_loops_.end(), offered.begin(), offered.end());
+  records_.took("loop closing: query", watch.milliseconds());
+  records_.offered_for_loops(offers(*key_frame, places));
 }
 
 void SemanticSlam::MergeCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& candidates) {
@@ -109,10 +107,8 @@ void SemanticSlam::MergeCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& 
     const Stopwatch watch;
     merges_ = database_.merge_places(key_frame);
     candidates = topobag::merge_candidates(merges_, candidates);
-    note("loop closing: query other maps", watch.milliseconds());
-    const auto offered = offers(*key_frame, merges_);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    offered_merges_.insert(offered_merges_.end(), offered.begin(), offered.end());
+    records_.took("loop closing: query other maps", watch.milliseconds());
+    records_.offered_for_merges(offers(*key_frame, merges_));
   }
 }
 
@@ -134,16 +130,15 @@ void SemanticSlam::RelocalizationCandidates(Frame* frame, std::vector<KeyFrame*>
   places_ = database_.relocalization_places(*frame, static_cast<const host::Map*>(map));
   candidates = topobag::merge_candidates(places_, candidates);
   if (graph_ms_ > 0.0) {
-    note(by_bearings_ ? "tracking, lost: query by directions" : "tracking, lost: query",
-         watch.milliseconds() - graph_ms_);
+    records_.took(by_bearings_ ? "tracking, lost: query by directions" : "tracking, lost: query",
+                  watch.milliseconds() - graph_ms_);
   }
   OfferedPlaces offered;
   offered.stamp = frame->mTimeStamp;
   offered.by_bearings = by_bearings_;
   for (const auto& place : places_) ++(place.verified ? offered.verified : offered.guesses);
   if (offered.verified > 0) offered.T_world_camera = places_.front().T_world_query;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  offered_places_.push_back(offered);
+  records_.offered(offered);
 }
 
 SemanticSlam::Places SemanticSlam::RelocalizationPlaces() { return plain(places_); }
@@ -174,35 +169,7 @@ std::size_t SemanticSlam::load(const std::string& path) {
   return database_.restore(topobag::load_sightings(path));
 }
 
-void SemanticSlam::PlacesTried(int accepted) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!offered_places_.empty()) offered_places_.back().accepted = accepted;
-}
-
-std::map<std::string, std::size_t> SemanticSlam::lost_key_frames() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return lost_key_frames_;
-}
-
-std::vector<OfferedLoop> SemanticSlam::offered_loops() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return offered_loops_;
-}
-
-std::vector<OfferedLoop> SemanticSlam::offered_merges() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return offered_merges_;
-}
-
-std::vector<OfferedPlaces> SemanticSlam::offered_places() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return offered_places_;
-}
-
-std::map<std::string, std::vector<double>> SemanticSlam::times() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return times_;
-}
+void SemanticSlam::PlacesTried(int accepted) { records_.accepted(accepted); }
 
 /// The last frames in one graph where odometry joins them, else this frame alone, and this frame's
 /// directions; nothing for a frame without features.
@@ -223,7 +190,7 @@ topobag::LostSight SemanticSlam::sight_of_lost(const Frame& frame) {
   topobag::LostSight seen(topobag::fuse_sightings({lost_.begin(), lost_.end()}, fusing),
                           topobag::sight_bearings(detections, settings_.camera, catalog_));
   by_bearings_ = seen.is_without_depth();
-  note("tracking, lost: fuse", watch.milliseconds());
+  records_.took("tracking, lost: fuse", watch.milliseconds());
   graph_ms_ = all.milliseconds();
   return seen;
 }
@@ -238,7 +205,7 @@ std::vector<topobag::RangedDetection> SemanticSlam::detect(const Images& images,
                                                            const char* stage) {
   const Stopwatch watch;
   std::vector<topobag::RangedDetection> detections = detect(images);
-  note(stage, watch.milliseconds());
+  records_.took(stage, watch.milliseconds());
   return detections;
 }
 
@@ -259,8 +226,8 @@ void SemanticSlam::drop_dynamic_features(Frame& frame) {
 void SemanticSlam::refresh() {
   const Stopwatch watch;
   const std::size_t changed = database_.refresh_changed();
-  note("topology thread: what moved?", watch.milliseconds());
-  if (changed > 0) note("topology thread: graphs anew", watch.milliseconds());
+  records_.took("topology thread: what moved?", watch.milliseconds());
+  if (changed > 0) records_.took("topology thread: graphs anew", watch.milliseconds());
 }
 
 void SemanticSlam::work(const Job& job) {
@@ -271,7 +238,7 @@ void SemanticSlam::work(const Job& job) {
   database_.observe(
       job.epoch, *job.id,
       topobag::sight_keyframe(job.images.stamp, std::move(detections), settings_.camera, catalog_));
-  note("topology thread: fuse and add", watch.milliseconds());
+  records_.took("topology thread: fuse and add", watch.milliseconds());
 }
 
 /// Whether the detector has to look at a new key frame. Those after it stand for a look that came
@@ -294,13 +261,7 @@ bool SemanticSlam::should_look(KeyFrame& key_frame) {
 /// Nothing will be seen in the key frame: loop closing does not wait for it.
 void SemanticSlam::give_up(std::uint64_t epoch, std::uint64_t id, const std::string& why) {
   database_.give_up(epoch, id);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ++lost_key_frames_[why];
-}
-
-void SemanticSlam::note(const std::string& stage, double ms) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  times_[stage].push_back(ms);
+  records_.lost(why);
 }
 
 }  // namespace semantic

@@ -22,6 +22,8 @@
 #include <topobag/sensing/sparse_depth.hpp>
 #include <topobag/sensing/still_view.hpp>
 
+#include "slam_records.hpp"
+
 namespace semantic {
 
 /// The images of one frame, and what the host made of them.
@@ -63,23 +65,6 @@ struct MaskedFeatures {
   std::size_t failed = 0;  ///< frames left whole because of an exception
 };
 
-/// A place that was offered for a loop.
-struct OfferedLoop {
-  double query_stamp = 0.0;      ///< s
-  double candidate_stamp = 0.0;  ///< s
-  Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
-};
-
-/// What the lost tracker was offered for one frame.
-struct OfferedPlaces {
-  double stamp = 0.0;  ///< s
-  std::size_t verified = 0;
-  std::size_t guesses = 0;
-  bool by_bearings = false;  ///< by directions, for too few objects had a depth
-  int accepted = -1;         ///< which of them stood the host's test; -1 = none, or it needed none
-  std::optional<Eigen::Isometry3d> T_world_camera;  ///< by the best one, when it is verified
-};
-
 /// The semantic topology graph thread and the bag beside an ORB-SLAM2 or an ORB-SLAM3.
 class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame, host::Frame> {
  public:
@@ -119,16 +104,17 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   std::size_t size() const { return database_.size(); }
   topobag::TopologyThreadCounts counts() const { return thread_.counts(); }
   /// How many key frames failed or were given up, by the reason.
-  std::map<std::string, std::size_t> lost_key_frames() const;
+  std::map<std::string, std::size_t> lost_key_frames() const { return records_.lost_key_frames(); }
   std::pair<std::size_t, std::string> failures() const { return database_.failures(); }
   MaskedFeatures masked_features() const { return masked_; }  ///< on tracking's thread
-  std::vector<OfferedLoop> offered_loops() const;
-  std::vector<OfferedLoop> offered_merges() const;  ///< the same for the host's other maps
-  std::vector<OfferedPlaces> offered_places() const;
+  std::vector<OfferedLoop> offered_loops() const { return records_.loops(); }
+  /// The same for the host's other maps.
+  std::vector<OfferedLoop> offered_merges() const { return records_.merges(); }
+  std::vector<OfferedPlaces> offered_places() const { return records_.places(); }
   std::size_t merges_begun() const { return merges_begun_; }  ///< from object poses
 
   /// How long each stage took, ms, by name, a value a call.
-  std::map<std::string, std::vector<double>> times() const;
+  SlamRecords::Times times() const { return records_.times(); }
 
  private:
   struct Job {
@@ -148,7 +134,6 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   std::vector<OfferedLoop> offers(const KeyFrame& key_frame,
                                   const std::vector<topobag::OrbSlamPlace<KeyFrame>>& places) const;
   void work(const Job& job);
-  void note(const std::string& stage, double ms);
 
   const Settings settings_;
   const topobag::ClassCatalog catalog_;
@@ -170,12 +155,7 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   // Loop closing's alone.
   std::vector<topobag::OrbSlamPlace<KeyFrame>> merges_;
 
-  mutable std::mutex mutex_;  ///< of what follows
-  std::map<std::string, std::vector<double>> times_;
-  std::map<std::string, std::size_t> lost_key_frames_;
-  std::vector<OfferedLoop> offered_loops_, offered_merges_;
-  std::vector<OfferedPlaces> offered_places_;
-
+  SlamRecords records_;
   std::atomic<std::size_t> merges_begun_{0};
   std::atomic<std::uint64_t> last_look_{0};  ///< the key frame
   std::atomic<bool> look_again_{false};      ///< the last look came to nothing

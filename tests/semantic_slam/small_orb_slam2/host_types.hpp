@@ -2,12 +2,13 @@
 // What the hooks of ORB-SLAM2 call of it, on types of our own: under the names that they include.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <vector>
 
 #include <opencv2/core.hpp>
+
+#include "../small_matches.hpp"
 
 namespace ORB_SLAM2 {
 
@@ -35,26 +36,18 @@ struct ORBmatcher {
 
   void SearchByProjection(Frame& frame, KeyFrame* key_frame, const std::set<MapPoint*>&, float,
                           int) {
-    const std::size_t count = std::min(frame.mvpMapPoints.size(), key_frame->points.size());
-    std::copy_n(key_frame->points.begin(), count, frame.mvpMapPoints.begin());
+    match_in_order(frame, *key_frame);
   }
 };
 
 struct Optimizer {
-  static int PoseOptimization(Frame* frame) {
-    return static_cast<int>(frame->mvpMapPoints.size() -
-                            static_cast<std::size_t>(std::count(
-                                frame->mvpMapPoints.begin(), frame->mvpMapPoints.end(), nullptr)));
-  }
+  static int PoseOptimization(Frame* frame) { return count_matches(frame->mvpMapPoints); }
 };
 
 /// Finds a pose where there are 55 matches, turns the first away, and moves 1 along x.
 struct PnPsolver {
   PnPsolver(const Frame& frame, const std::vector<MapPoint*>& matches)
-      : pose(frame.mTcw.clone()),
-        count(static_cast<int>(matches.size()) -
-              static_cast<int>(std::count(matches.begin(), matches.end(), nullptr))),
-        features(matches.size()) {}
+      : pose(frame.mTcw.clone()), count(count_matches(matches)), features(matches.size()) {}
 
   void SetRansacParameters(double, int, int, int, float, float) {}
   cv::Mat iterate(int, bool&, std::vector<bool>& inliers, int&) {

@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "../small_matches.hpp"
+
 namespace Sophus {
 
 template <typename S>
@@ -107,8 +109,7 @@ struct ORBmatcher {
 
   void SearchByProjection(Frame& frame, KeyFrame* key_frame, const std::set<MapPoint*>&, float,
                           int) {
-    const std::size_t count = std::min(frame.mvpMapPoints.size(), key_frame->points.size());
-    std::copy_n(key_frame->points.begin(), count, frame.mvpMapPoints.begin());
+    match_in_order(frame, *key_frame);
   }
   int SearchByProjection(KeyFrame* key_frame, Sophus::Sim3f& Scw,
                          const std::vector<MapPoint*>& points, std::vector<MapPoint*>& matches,
@@ -134,8 +135,7 @@ struct Optimizer {
     if (S.s < 0.9 * truth.s || S.s > 1.1 * truth.s) return 0;
     if (fixed_scale && S.s != 1.0) return 0;
     S = truth;
-    return static_cast<int>(matches.size() - static_cast<std::size_t>(std::count(
-                                                 matches.begin(), matches.end(), nullptr)));
+    return count_matches(matches);
   }
 };
 
