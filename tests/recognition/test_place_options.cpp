@@ -125,3 +125,20 @@ TEST_CASE("a place speaks against its key frame by no more than the option says"
     CHECK(*best.place_support == Approx(best.pose->support() - most));
   }
 }
+
+TEST_CASE("one place is within both of its bounds, on either side", "[recognition]") {
+  PlaceOptions options;
+  options.distinct_translation = 0.8;
+  options.distinct_rotation = 0.4;
+  const auto is_one = [&](double metres, double radians) {
+    const Eigen::Isometry3d T_a_b = Eigen::Translation3d(0.0, metres, 0.0) *
+                                    Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitX());
+    CHECK(options.is_one_place(T_a_b) == options.is_one_place(T_a_b.inverse()));
+    return options.is_one_place(T_a_b);
+  };
+  CHECK(is_one(0.0, 0.0));
+  CHECK(is_one(0.79, -0.39));
+  CHECK_FALSE(is_one(0.81, 0.0));
+  CHECK_FALSE(is_one(0.0, 0.41));
+  CHECK_FALSE(is_one(-0.81, 0.41));
+}

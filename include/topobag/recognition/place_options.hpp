@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <Eigen/Geometry>
+
 #include <topobag/graph/local_graph.hpp>
 #include <topobag/sensing/sensor_profile.hpp>
 
@@ -37,6 +39,12 @@ struct PlaceOptions {
   double margin = default_sensor.place_margin;
   double max_depth = default_sensor.detection_range;  ///< m; as far as the query's cameras look
   LocalGraphOptions fusing{};                         ///< its window is not used
+
+  /// Whether two cameras that stand so to each other are at one place, looking the same way.
+  bool is_one_place(const Eigen::Isometry3d& T_a_b) const {
+    return T_a_b.translation().norm() <= distinct_translation &&
+           Eigen::AngleAxisd(T_a_b.linear()).angle() <= distinct_rotation;
+  }
 };
 
 }  // namespace v0

@@ -12,7 +12,6 @@
 #include <topobag/adaptors/orb_slam/lost_sight.hpp>
 #include <topobag/bag/camera_poses.hpp>
 #include <topobag/bag/entry_info.hpp>
-#include <topobag/recognition/place_options.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
 #include <topobag/recognition/relocalizer.hpp>
@@ -95,9 +94,10 @@ class HostEntries {
     Recognition recognition = detail::located(relocalizer_, query, options);
     for (CandidateReport& report : recognition.candidates) {
       if (report.verdict != Verdict::not_best) continue;
-      if (!recognition || !same_place(report, *recognition.accepted, options.place)) {
-        report.verdict = Verdict::rivalled;
-      }
+      const bool of_accepted =
+          recognition && options.place.is_one_place(T_world_query(report).inverse() *
+                                                    T_world_query(*recognition.accepted));
+      if (!of_accepted) report.verdict = Verdict::rivalled;
     }
     return recognition;
   }
@@ -115,13 +115,6 @@ class HostEntries {
   }
 
  private:
-  bool same_place(const CandidateReport& a, const CandidateReport& b,
-                  const PlaceOptions& options) const {
-    const Eigen::Isometry3d between = T_world_query(a).inverse() * T_world_query(b);
-    return between.translation().norm() <= options.distinct_translation &&
-           Eigen::AngleAxisd(between.linear()).angle() <= options.distinct_rotation;
-  }
-
   Eigen::Isometry3d T_world_query(const CandidateReport& report) const {
     return *relocalizer_.map().info(report.id)->T_world_camera * report.pose->T_candidate_query;
   }

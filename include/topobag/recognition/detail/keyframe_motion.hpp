@@ -51,10 +51,11 @@ struct KnownEntry {
 /// How the cameras of a bag's key frames stand to each other: by the world's poses; without them,
 /// as far as the map's own objects tell. Key frames of one session that come one after the other
 /// are matched with each other, step by step, which is an odometry: over 100 steps of 0.4 s it is
-/// off by up to 0.35 m and 8 degrees with windows of 3 s (four desks; by 1 m where single frames
-/// are followed). It ends where too few objects are seen for a step, one of which may be left out.
-/// Only consecutive ones are matched: that places far apart look alike proves nothing.
-/// To be asked within one query: what was followed is remembered.
+/// off by up to 0.35 m and 8 degrees with windows of 3 s (four desks; by 1.2 m where single frames
+/// are followed). Key frames that show too little are stepped over, as many as lie within
+/// `PlaceOptions::max_neighbors`; where more of them follow each other it ends. Only consecutive
+/// ones are matched: that places far apart look alike proves nothing. To be asked within one query:
+/// what was followed is remembered.
 template <typename Bag>
 class KeyframeMotion {
  public:

@@ -63,9 +63,7 @@ template <typename Bag, typename Reports>
 bool same_place(const Bag& bag, KeyframeMotion<Bag>& motion, const PlaceHypothesis& a,
                 const PlaceHypothesis& b, const Reports& reports, const PlaceOptions& options) {
   if (const auto T_a_query = seen_from(motion, a, b, reports)) {
-    const Eigen::Isometry3d between = a.pose->T_candidate_query.inverse() * *T_a_query;
-    return between.translation().norm() <= options.distinct_translation &&
-           Eigen::AngleAxisd(between.linear()).angle() <= options.distinct_rotation;
+    return options.is_one_place(a.pose->T_candidate_query.inverse() * *T_a_query);
   }
   return are_close_in_session(bag, {reports[a.report].id, a.info}, {reports[b.report].id, b.info},
                               options.min_id_gap);
