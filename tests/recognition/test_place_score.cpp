@@ -53,6 +53,9 @@ TEST_CASE("a candidate that is not verified scores by its similarity", "[recogni
     report.verdict = verdict;
     CHECK(place_score(report) == Approx(0.15));
   }
+  report.judged_by = KeyframeId{7};  // it passed by itself
+  CHECK(place_score(report) == Approx(0.95));
+  report.judged_by.reset();
   report.verdict = Verdict::accepted;
   CHECK(place_score(report) == Approx(0.95));
 }

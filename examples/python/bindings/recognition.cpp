@@ -77,6 +77,7 @@ void bind_recognition(py::module_& module) {
       .attribute("place_support", &CandidateReport::place_support)
       .attribute("place_share", &CandidateReport::place_share)
       .attribute("rival", &CandidateReport::rival)
+      .attribute("judged_by", &CandidateReport::judged_by)
       .attribute("places", &CandidateReport::places)
       .attribute("with_views", &CandidateReport::with_views)
       .attribute("threshold", &CandidateReport::threshold)

@@ -91,7 +91,7 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
                       true,
                       {}});
   }
-  if (report.rival) {
+  if (report.rival && !report.judged_by) {
     stages.push_back({"support over another place",
                       false,
                       report.support() - report.rival->support,
@@ -99,7 +99,7 @@ std::vector<ExplainedStage> stages_of(const CandidateReport& report, const Graph
                       true,
                       {}});
   }
-  if (report.verdict == Verdict::not_best && !report.place_support) {
+  if (report.judged_by) {
     stages.push_back({"first of its place, which is judged for all", false, 0.0, 1.0, true, {}});
   } else if (best_margin && is_verified(report.verdict)) {
     stages.push_back({"lead over the threshold, beside the best one's",

@@ -95,9 +95,7 @@ void learn_map_appearance(AppearanceCounts& counts, const Relocalizer<Bag>& relo
       const auto T_world_candidate = detail::known_pose(relocalizer.map(), report.id);
       if (!candidate || !T_world_candidate) continue;
       const std::pair<KeyframeId, KeyframeId> both = std::minmax(id, report.id);
-      const bool verified =
-          report.verdict == Verdict::accepted || report.verdict == Verdict::not_best;
-      if (verified &&
+      if (is_verified(report.verdict) &&
           !detail::is_elsewhere(report, *T_world_candidate, *info->T_world_camera, options.right) &&
           matched.insert(both).second) {
         learn_appearance(counts, *candidate, *graph, *report.pose, options.apart);

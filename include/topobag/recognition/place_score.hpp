@@ -23,12 +23,12 @@ struct PlaceScale {
 ///
 /// A verified match says where the query's camera stood. One desk seen from two sides is a good
 /// match and a valid loop, yet not one place: with s the score of the pose and (t, θ) the motion
-/// between the two cameras, a candidate that passed every stage gets
-/// ½ (1 + s / (1 + s)) · exp(−½ (t / translation)² − ½ (θ / rotation)²), any other ¼ of its
-/// similarity.
+/// between the two cameras, a candidate that passed every stage, or all that were asked of it alone
+/// (`CandidateReport::judged_by`), gets ½ (1 + s / (1 + s)) · exp(−½ (t / translation)² −
+/// ½ (θ / rotation)²), any other ¼ of its similarity.
 template <typename Report = CandidateReport>
 double place_score(const Report& report, const PlaceScale& scale = {}) {
-  if (!is_verified(report.verdict)) return 0.25 * report.similarity;
+  if (!is_verified(report.verdict) && !report.judged_by) return 0.25 * report.similarity;
   const auto& T = report.pose->T_candidate_query;
   const double t = T.translation().norm() / scale.translation;
   const double turn = Eigen::AngleAxisd(T.linear()).angle() / scale.rotation;

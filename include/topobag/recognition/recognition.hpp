@@ -45,7 +45,10 @@ struct CandidateReport {
   double place_scale_deviation = 0.0;     ///< of that pose, as `RelativePose::scale_deviation`
   /// Of that pose, as `RelativePose::scale_covariance`.
   Eigen::Matrix<double, 6, 1> place_scale_covariance = Eigen::Matrix<double, 6, 1>::Zero();
-  std::optional<RivalPlace> rival;   ///< that keeps the pose from being believed
+  std::optional<RivalPlace> rival;  ///< that keeps the pose from being believed
+  /// Where it passed by itself and its place was not asked: the better candidate whose verdict it
+  /// shares, of its place where one of that was judged, else the best of all.
+  std::optional<KeyframeId> judged_by;
   std::size_t places = 0;            ///< of the map that can hold what was matched
   bool with_views = true;            ///< of the query or the candidate, which the threshold goes by
   double threshold = 0.0;            ///< the score that was asked for, among these

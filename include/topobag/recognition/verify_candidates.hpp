@@ -13,9 +13,9 @@
 #include <topobag/bag/query.hpp>
 #include <topobag/fwd.hpp>
 #include <topobag/matching/match_graphs.hpp>
+#include <topobag/recognition/detail/candidate_verdicts.hpp>
 #include <topobag/recognition/detail/learnt_looks.hpp>
 #include <topobag/recognition/detail/place_hypotheses.hpp>
-#include <topobag/recognition/detail/pose_rivals.hpp>
 #include <topobag/recognition/detail/stored_entry.hpp>
 #include <topobag/recognition/recognition.hpp>
 #include <topobag/recognition/recognition_options.hpp>
@@ -63,41 +63,6 @@ void prefer_determined(std::vector<Pose>& poses, const ThresholdOf& threshold_of
       std::find_if(poses.begin(), poses.end(), [](const Pose& pose) { return !pose.degenerate; });
   if (determined == poses.end() || !(determined->score() >= threshold_of(*determined))) return;
   std::rotate(poses.begin(), determined, determined + 1);
-}
-
-/// The stages that a candidate passes by itself; `accepted` when all.
-template <typename Graph>
-Verdict judge_candidate(const CandidateReport& report, const Graph& query,
-                        const DecisionOptions& options) {
-  if (!report.pose) return Verdict::no_agreement;
-  if (!(report.margin() >= 0.0)) return Verdict::insignificant;
-  if (report.pose->degenerate) return Verdict::degenerate;
-  const bool ambiguous =
-      std::any_of(report.other_poses.begin(), report.other_poses.end(),
-                  [&](const auto& other) { return is_rival(other, *report.pose, query, options); });
-  if (ambiguous) return Verdict::ambiguous;
-  return report.rival ? Verdict::rivalled : Verdict::accepted;
-}
-
-/// Accepts the first report that passed every stage, with the pose over its place if there is one;
-/// the others that passed are not the best.
-template <typename Answer>
-void accept_best(Answer& recognition) {
-  for (auto& report : recognition.candidates) {
-    if (report.verdict != Verdict::accepted) continue;
-    if (recognition.accepted) {
-      report.verdict = Verdict::not_best;
-      continue;
-    }
-    recognition.accepted = report;
-    if (report.place_pose) {
-      recognition.accepted->pose->T_candidate_query = report.place_pose->T_target_source;
-      recognition.accepted->pose->covariance = report.place_pose->covariance;
-      recognition.accepted->pose->scale = report.place_scale;
-      recognition.accepted->pose->scale_deviation = report.place_scale_deviation;
-      recognition.accepted->pose->scale_covariance = report.place_scale_covariance;
-    }
-  }
 }
 
 /// What matching says of a candidate.
@@ -148,8 +113,8 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
 /// What is asked of a score grows with the places of the whole bag that could have given the match,
 /// for all of them were asked (`DecisionOptions`). A pose is rivalled when one that puts the query
 /// elsewhere in the world fits about as well. Where another candidate stands is told by the world's
-/// poses; without them by the map's own objects, as far as these lead from key frame to key frame of
-/// one session; where they do not, one of another session is elsewhere, and so is one that is at
+/// poses; without them by the map's own objects, as far as these lead from key frame to key frame
+/// of one session; where they do not, one of another session is elsewhere, and so is one that is at
 /// least `PlaceOptions::min_id_gap` key frames of its session away.
 ///
 /// A bag that does not tell its `places()` is taken for one of as many places as there are
@@ -188,9 +153,6 @@ Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query
   detail::judge_places(bag, query, options, reports);
   for (CandidateReport& report : reports) {
     report.verdict = detail::judge_candidate(report, query, options.decision);
-    // A pose that was not judged by its place is of a better one's, or of none among the best.
-    const bool passed = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled;
-    if (passed && !report.place_support) report.verdict = Verdict::not_best;
     // A calibration knows the scores of matches with one clear pose, and says nothing of others.
     if (options.decision.calibration && report.place_support &&
         (report.verdict == Verdict::accepted || report.verdict == Verdict::insignificant)) {
@@ -198,6 +160,7 @@ Recognition verify_candidates(const Bag& bag, const TopologyGraph<Scalar>& query
           options.decision.calibration->probability(report.score(), recognition.places);
     }
   }
+  detail::share_verdicts(reports);
   std::sort(reports.begin(), reports.end(), [](const CandidateReport& a, const CandidateReport& b) {
     const bool a_judged = a.place_support.has_value(), b_judged = b.place_support.has_value();
     if (a_judged != b_judged) return a_judged;

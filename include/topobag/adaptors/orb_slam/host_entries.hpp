@@ -86,20 +86,10 @@ class HostEntries {
     relocalizer_.map().set_poses(moved);
   }
 
-  /// Where a query was taken: a graph, or a `BearingSighting`. A candidate that was not the best is
-  /// as good as the accepted one where it puts the query in the same place; elsewhere it is
-  /// `rivalled`, and so is one that was not judged for a better one's sake that was refused.
+  /// Where a query was taken: a graph, or a `BearingSighting`.
   template <typename Query>
   Recognition localize(const Query& query, const RecognitionOptions& options) const {
-    Recognition recognition = detail::located(relocalizer_, query, options);
-    for (CandidateReport& report : recognition.candidates) {
-      if (report.verdict != Verdict::not_best) continue;
-      const bool of_accepted =
-          recognition && options.place.is_one_place(T_world_query(report).inverse() *
-                                                    T_world_query(*recognition.accepted));
-      if (!of_accepted) report.verdict = Verdict::rivalled;
-    }
-    return recognition;
+    return detail::located(relocalizer_, query, options);
   }
 
   /// Takes a key frame out, if it is there.
@@ -115,10 +105,6 @@ class HostEntries {
   }
 
  private:
-  Eigen::Isometry3d T_world_query(const CandidateReport& report) const {
-    return *relocalizer_.map().info(report.id)->T_world_camera * report.pose->T_candidate_query;
-  }
-
   static bool stand_alike(const HostCamera& a, const HostCamera& b) {
     return a.map == b.map && a.T_map_camera.matrix() == b.T_map_camera.matrix();
   }

@@ -31,6 +31,7 @@ struct PlaceHypothesis {
   const RelativePose* pose = nullptr;  ///< of that report, its best or another one
   std::optional<EntryInfo> info;       ///< of the candidate
   double support = 0.0;                ///< by the candidate's graph, then by its place as well
+  std::vector<std::size_t> others{};   ///< reports whose own pose is of that place, and no better
 };
 
 /// The pose of one hypothesis in the frame of another one's candidate, where it is known how the
@@ -86,16 +87,21 @@ std::vector<PlaceHypothesis> place_hypotheses(const Bag& bag, KeyframeMotion<Bag
   std::sort(all.begin(), all.end(), [&](const PlaceHypothesis& a, const PlaceHypothesis& b) {
     const double a_score = a.pose->score(), b_score = b.pose->score();
     if (a_score != b_score) return a_score > b_score;
-    return reports[a.report].id < reports[b.report].id;
+    if (a.report != b.report) return reports[a.report].id < reports[b.report].id;
+    return a.pose == &*reports[a.report].pose && a.pose != b.pose;
   });
   std::vector<PlaceHypothesis> kept;
   for (PlaceHypothesis& hypothesis : all) {
     if (kept.size() == options.max_rivals) break;
     hypothesis.info = stored_info(bag, reports[hypothesis.report].id, 0);
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const PlaceHypothesis& better) {
+    const auto known = std::find_if(kept.begin(), kept.end(), [&](const PlaceHypothesis& better) {
       return same_place(bag, motion, better, hypothesis, reports, options);
     });
-    if (!known) kept.push_back(std::move(hypothesis));
+    if (known == kept.end()) {
+      kept.push_back(std::move(hypothesis));
+    } else if (hypothesis.pose == &*reports[hypothesis.report].pose) {
+      known->others.push_back(hypothesis.report);
+    }
   }
   return kept;
 }
@@ -109,7 +115,7 @@ inline double share_among_repeats(std::size_t repeats) noexcept {
 }
 
 /// Judges the best poses again by the places around them, and names the rivals among all. Writes
-/// into the reports whose own pose was judged.
+/// into the reports whose own pose was judged, and into the others by which of these they are.
 template <typename Bag, typename Reports>
 void judge_places(const Bag& bag, const typename Bag::Graph& query,
                   const RecognitionOptions& options, Reports& reports) {
@@ -160,6 +166,15 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
       if (other.support <= hypothesis.support - lead) continue;
       if (report.rival && report.rival->support >= other.support) continue;
       report.rival = rival_place(reports[other.report].id, other, lead);
+    }
+  }
+  if (judged == 0) return;
+  for (auto& report : reports) {
+    if (!report.place_support) report.judged_by = reports[hypotheses.front().report].id;
+  }
+  for (std::size_t i = 0; i < judged; ++i) {
+    for (const std::size_t other : hypotheses[i].others) {
+      reports[other].judged_by = reports[hypotheses[i].report].id;
     }
   }
 }
