@@ -22,8 +22,8 @@ inline namespace v0 {
 namespace detail {
 
 /// Takes what a recognition says of a key frame of map b: each match that passes by itself is a
-/// vote, also one that is not believed because another place fits as well, or its own speaks against
-/// it. Which of them is true the whole map says.
+/// vote, also one that is not believed because another place fits as well, or its own speaks
+/// against it. Which of them is true the whole map says.
 template <typename Motion, typename Bag>
 void add_votes(std::vector<AlignmentVote<Motion>>& votes, const Bag& a,
                const Recognition& recognition, KeyframeId id, const Eigen::Isometry3d& T_b_camera) {
