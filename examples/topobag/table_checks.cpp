@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "box_reach.hpp"
 #include "input_error.hpp"
 
 namespace program {
@@ -53,14 +54,14 @@ topobag::LiftOptions lifting_of(const KeyframeOptions& options) {
 void require_in_image(const std::string& set, const NodeTable& table,
                       const KeyframeOptions& options) {
   const topobag::PinholeCamera<>& camera = options.camera;
-  std::size_t boxes = 0, outside = 0, begin_outside = 0;
+  std::size_t boxes = 0, outside = 0;
+  BoxReach beyond(camera.width, camera.height);
   Eigen::Vector2d reach = Eigen::Vector2d::Zero(), first = Eigen::Vector2d::Zero();
-  const double border = -0.1 * std::min(camera.width, camera.height);  // px; no detector's
   for (const FrameRow& frame : table.frames) {
     for (const topobag::RangedDetection& detection : frame.detections) {
       ++boxes;
       reach = reach.cwiseMax(Eigen::Vector2d(detection.box.x2, detection.box.y2));
-      if (detection.box.x1 < border || detection.box.y1 < border) ++begin_outside;
+      beyond.add(detection.box);
       const Eigen::Vector2d center = detection.box.center();
       if (camera.in_image(center, -0.5)) continue;
       if (++outside == 1) first = center;
@@ -79,12 +80,9 @@ void require_in_image(const std::string& set, const NodeTable& table,
         << options.size_options << " of the table's images";
     throw InputError(set_name(set) + ".nodes.csv", why.str());
   }
-  if (5 * begin_outside > boxes) {
-    why << begin_outside << " of " << boxes
-        << " boxes begin far left of or above the image; u, v are a box's centre and w, h its "
-           "size, not two corners";
-    throw InputError(set_name(set) + ".nodes.csv", why.str());
-  }
+  const std::string form =
+      beyond.complaint("u, v are a box's centre and w, h its size, not two corners");
+  if (!form.empty()) throw InputError(set_name(set) + ".nodes.csv", form);
   if (outside == 0) return;
   why << outside << " of " << boxes << " boxes lie outside the camera's image of " << camera.width
       << " x " << camera.height << " px, the first around " << first.x() << ", " << first.y()
@@ -112,6 +110,9 @@ void require_usable(const std::string& set, const NodeTable& table,
     dropped += topobag::lift_detections(frame.detections, options.camera, options.classes.catalog,
                                         lifting_of(options))
                    .dropped;
+  }
+  if (detections == 0) {
+    throw InputError(set_name(set) + ".nodes.csv", "there is no detection in the table");
   }
   std::ostringstream why;
   why << "none of " << keyframes_text(keyframes.size(), table, options)
