@@ -150,6 +150,10 @@ void evaluate(const EvaluateOptions& options) {
   }
   Method other;
   if (!options.against.empty()) {
+    if (are_same_file(options.scores, options.against)) {
+      throw InputError("--against " + options.against,
+                       "these are the scores themselves; give those of another method");
+    }
     other = read_method(options.against, options, truth);
     result["against"] = options.against;
     result["comparison"] = comparison_json(method.labelled, other.labelled, options.report);
