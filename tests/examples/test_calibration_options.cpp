@@ -171,7 +171,12 @@ TEST_CASE("a calibration of another map says so, and of how many places it was",
         false);  // the same map in another file
   const std::string other = "localize --map " + sample_query + " --query " + sample_map;
   CHECK(calibrated_run(other + " --calibration " + file).at("calibration").at("other_map") == true);
-  const ProgramRun told = run_program(other + sample_options + "--calibration " + file);
+  const std::string page = folder.path("r.html");
+  const ProgramRun told =
+      run_program(other + sample_options + "--calibration " + file + " --report " + page);
   CHECK(told.out.find("  learnt        with another map, of ") != std::string::npos);
+  const std::string report = program::read_file(page);
+  CHECK(report.find("Score asked for") != std::string::npos);
+  CHECK(report.find("with another map, of ") != std::string::npos);
   CHECK(told.out.find("; this one has ") != std::string::npos);
 }

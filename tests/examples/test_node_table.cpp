@@ -115,7 +115,7 @@ TEST_CASE("bad frames are refused with file and line", "[examples]") {
 TEST_CASE("bad nodes are refused with file and line", "[examples]") {
   CHECK(error_of_node("") == "nothing was thrown");
   CHECK(error_of_node("7,62,tv,0.9,1,1,1,1,1\n") ==
-        "s.nodes.csv:2: idx 7 is not among the frames, from 0 to 1; are both files of one table?");
+        "s.nodes.csv:2: idx 7 is not among the frames, from 0 to 0; are both files of one table?");
   CHECK(error_of_node("0,,tv,0.9,1,1,1,1,1\n0,62,telly,0.9,1,1,1,1,1\n")
             .find("s.nodes.csv:3: unknown class 'telly'; nearest known: ") == 0);
   CHECK(error_of_node("0,63,tv,0.9,1,1,1,1,1\n") ==

@@ -112,14 +112,14 @@ TEST_CASE("poses with w first are refused by what reads a table", "[examples][re
   program::CsvReader csv(sample_query + ".frames.csv");
   std::string frames = "idx,frame,timestamp,tx,ty,tz,qx,qy,qz,qw\n";
   while (csv.next()) {
-    for (const std::size_t column : {0, 1, 2, 3, 4, 5, 9, 6, 7, 8}) {
+    for (const std::size_t column : {0u, 1u, 2u, 3u, 4u, 5u, 9u, 6u, 7u, 8u}) {
       frames += std::string(csv.text(column)) + (column == 8 ? "\n" : ",");
     }
   }
   folder.write("w.frames.csv", frames);
   folder.write("w.nodes.csv", program::read_file(sample_query + ".nodes.csv"));
   const std::string set = folder.path("w");
-  for (const std::string command :
+  for (const std::string& command :
        {"localize --map " + sample_map + " --query " + set,
         "map --out " + folder.path("m.bag") + " --nodes " + set, "loops --nodes " + set}) {
     CHECK(refusal(command + " --camera 517.3,516.5,318.6,255.3")
