@@ -111,16 +111,19 @@ void require_usable(const std::string& set, const NodeTable& table,
                                         lifting_of(options))
                    .dropped;
   }
-  if (detections == 0) {
-    throw InputError(set_name(set) + ".nodes.csv", "there is no detection in the table");
-  }
   std::ostringstream why;
   why << "none of " << keyframes_text(keyframes.size(), table, options)
-      << " has three objects with a position; of " << detections << " detections in the table "
-      << dropped.low_confidence << " are below --min-confidence, " << dropped.dynamic
-      << " move by themselves, " << dropped.no_depth << " have no depth, " << dropped.out_of_range
-      << " are out of range, " << dropped.too_large << " too large, " << dropped.invalid
-      << " not valid, " << dropped.duplicate << " seen twice";
+      << " has three objects with a position; ";
+  if (detections == 0) {
+    why << "there is no detection in the table"
+        << (options.stress.drop > 0.0 ? " after --drop" : "");
+    throw InputError(set_name(set) + ".nodes.csv", why.str());
+  }
+  why << "of " << detections << " detections in the table " << dropped.low_confidence
+      << " are below --min-confidence, " << dropped.dynamic << " move by themselves, "
+      << dropped.no_depth << " have no depth, " << dropped.out_of_range << " are out of range, "
+      << dropped.too_large << " too large, " << dropped.invalid << " not valid, "
+      << dropped.duplicate << " seen twice";
   const std::size_t ranged =
       detections - dropped.low_confidence - dropped.dynamic - dropped.no_depth;
   if (2 * dropped.out_of_range > ranged) why << "; z are" << depths_text(table);
