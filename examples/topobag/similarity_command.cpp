@@ -167,6 +167,7 @@ void print_similarities(const SimilarityArguments& arguments) {
   for (const std::int64_t idx : arguments.frames) {
     frames.push_back(&frame_of(keyframes, idx, arguments.nodes));
   }
+  require_objects(*frames.front(), arguments, options);
   const bool one = std::all_of(frames.begin(), frames.end(),
                                [&](const Keyframe* frame) { return frame == frames.front(); });
   if (one) {
@@ -174,7 +175,6 @@ void print_similarities(const SimilarityArguments& arguments) {
                      "it names frame " + std::to_string(frames.front()->idx) +
                          " alone, which is like itself; name others to compare it with");
   }
-  require_objects(*frames.front(), arguments, options);
   SimilarityTable table = compare(std::move(frames), arguments.depth_scale);
   table.with_paper = arguments.frames == paper_frames;
   std::cout << (arguments.json ? to_json(table) : to_text(table));
