@@ -80,10 +80,12 @@ void require_in_image(const std::string& set, const NodeTable& table,
         << options.size_options << " of the table's images";
     throw InputError(set_name(set) + ".nodes.csv", why.str());
   }
-  const std::string form =
-      beyond.complaint("u, v are a box's centre and w, h its size, not two corners");
-  if (!form.empty()) throw InputError(set_name(set) + ".nodes.csv", form);
-  if (outside == 0) return;
+  if (outside == 0) {
+    const std::string form =
+        beyond.complaint("u, v are a box's centre and w, h its size, not two corners");
+    if (!form.empty()) throw InputError(set_name(set) + ".nodes.csv", form);
+    return;
+  }
   why << outside << " of " << boxes << " boxes lie outside the camera's image of " << camera.width
       << " x " << camera.height << " px, the first around " << first.x() << ", " << first.y()
       << "; give " << options.size_options << " of the table's images";
