@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "box_reach.hpp"
 #include "coco_file.hpp"
 #include "csv_reader.hpp"
 #include "image_names.hpp"
@@ -35,7 +36,9 @@ std::string fields_complaint(std::size_t fields) {
          " corners, and boxes are needed; " + wanted;
 }
 
-std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading& reading) {
+/// @param unscored  counts the boxes that say no score
+std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading& reading,
+                                      std::size_t& unscored) {
   std::vector<Detection> detections;
   std::istringstream stream(read_file(path));
   topobag::TextLines lines(stream, path);
@@ -45,7 +48,10 @@ std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading&
     if (fields.size() != 5 && fields.size() != 6)
       throw lines.error(fields_complaint(fields.size()));
     const auto label = topobag::parse_whole(fields[0]);
-    if (!label) throw lines.error("the class '" + std::string(fields[0]) + "' is no whole number");
+    if (!label)
+      throw lines.error("the class '" + std::string(fields[0]) +
+                        "' is no whole number; a line is: class cx cy w h [score], by the class' "
+                        "number, with decimal points");
     if (*label < 0 || static_cast<std::size_t>(*label) >= reading.classes.size()) {
       throw lines.error("there is no class " + std::to_string(*label) + " among 0 to " +
                         std::to_string(reading.classes.size() - 1) +
@@ -54,9 +60,10 @@ std::vector<Detection> read_yolo_text(const std::string& path, const BoxReading&
     const double cx = share_of(lines, fields[1], "cx"), cy = share_of(lines, fields[2], "cy");
     const double w = share_of(lines, fields[3], "w"), h = share_of(lines, fields[4], "h");
     const double score = fields.size() == 6 ? lines.number(fields[5]) : 1.0;
+    if (fields.size() == 5) ++unscored;
     if (!(score >= 0.0 && score <= 1.0)) {
       const bool whole = topobag::parse_whole(fields[5]).has_value();
-      throw lines.error(std::string("the score has to lie in [0, 1]") +
+      throw lines.error("the score has to lie in [0, 1], not " + std::string(fields[5]) +
                         (whole ? "; is " + std::string(fields[5]) + " the id of a track?" : ""));
     }
     detections.push_back({topobag::box_around({cx * reading.width - 0.5, cy * reading.height - 0.5},
@@ -118,6 +125,7 @@ ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& i
   if (names.empty()) throw InputError(path, "it holds neither an image nor a box");
   const std::vector<std::size_t> found = ImageNames(images).find(names, path);
   ImageBoxes boxes;
+  BoxReach reach(reading.width, reading.height);
   std::vector<bool> used(names.size(), false);
   for (const std::size_t name : found) {
     std::vector<Detection>& of_image = boxes.of_image.emplace_back();
@@ -130,7 +138,8 @@ ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& i
       require_size(path, coco[name], reading);
       require_reach(path, coco[name], reading);
     }
-    of_image = yolo ? read_yolo_text((std::filesystem::path(path) / names[name]).string(), reading)
+    of_image = yolo ? read_yolo_text((std::filesystem::path(path) / names[name]).string(), reading,
+                                     boxes.unscored)
                     : coco[name].boxes;
     const auto empty = [](const Detection& detection) {
       const double rounding = 1e-3;  // px; of files that write few digits
@@ -140,7 +149,12 @@ ImageBoxes read_boxes(const std::string& path, const std::vector<std::string>& i
     const auto kept = std::remove_if(of_image.begin(), of_image.end(), empty);
     boxes.empty += static_cast<std::size_t>(of_image.end() - kept);
     of_image.erase(kept, of_image.end());
+    for (const Detection& detection : of_image) reach.add(detection.box);
   }
+  const std::string beyond =
+      reach.complaint(yolo ? "a line is: class cx cy w h [score], by a box's centre and size"
+                           : "a bbox is x, y, width, height, from its upper left corner");
+  if (!beyond.empty()) throw InputError(path, beyond);
   for (std::size_t name = 0; name < names.size(); ++name) {
     if (!used[name] && (yolo || !coco[name].boxes.empty())) ++boxes.other_images;
   }

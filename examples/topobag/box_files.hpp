@@ -17,6 +17,7 @@ struct ImageBoxes {
   std::size_t without_boxes = 0;  ///< images that the files say nothing of
   std::size_t other_images = 0;   ///< images with boxes that the sequence does not have
   std::size_t empty = 0;          ///< boxes without width or height (below 0.001 px), left out
+  std::size_t unscored = 0;       ///< boxes that say no score, which is then 1
 };
 
 /// How boxes are read.

@@ -8,6 +8,7 @@
 
 #include "csv_reader.hpp"
 #include "input_error.hpp"
+#include "learning_conditions.hpp"
 #include "number_check.hpp"
 #include "output_files.hpp"
 
@@ -35,8 +36,9 @@ void add_calibration_options(CLI::App& command, CalibrationArguments& arguments)
 
 CalibrationRequest calibration_request(const CalibrationArguments& arguments,
                                        const RecognitionArguments& recognition,
-                                       const ObjectClasses& classes) {
+                                       const RecognitionRun& run) {
   CalibrationRequest request;
+  request.conditions = learning_conditions(run, recognition.keyframes);
   request.false_accept_rate = arguments.false_accept_rate;
   request.learn = arguments.calibrate;
   if (!arguments.saved.empty()) {
@@ -47,9 +49,10 @@ CalibrationRequest calibration_request(const CalibrationArguments& arguments,
       if (why.back() == '.') why.pop_back();
       throw InputError(arguments.saved, why + "; give a file that --save-calibration wrote");
     }
+    require_conditions(arguments.saved, *request.learnt, request.conditions);
   }
   KeyframeOptions options = recognition.keyframes;
-  options.classes = classes;
+  options.classes = run.classes;
   options.camera = with_size(options.camera, recognition.image_size);
   for (const std::string& set : arguments.other_places) {
     std::vector<Keyframe> keyframes = read_keyframes(set, options);

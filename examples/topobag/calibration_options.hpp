@@ -23,10 +23,10 @@ struct CalibrationArguments {
 void add_calibration_options(CLI::App& command, CalibrationArguments& arguments);
 
 /// What was asked for, with its files read and the tables of other places read as the queries are.
-/// Throws InputError.
+/// Throws InputError, as for what was learnt with graphs that are made otherwise than the run's.
 CalibrationRequest calibration_request(const CalibrationArguments& arguments,
                                        const RecognitionArguments& recognition,
-                                       const ObjectClasses& classes);
+                                       const RecognitionRun& run);
 
 /// Writes what the run learnt where it was asked for. Throws InputError.
 void save_calibration(const CalibrationArguments& arguments, const RecognitionRun& run);

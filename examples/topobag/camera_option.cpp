@@ -40,7 +40,7 @@ topobag::PinholeCamera<> parse_camera(const std::string& option, const std::stri
 ImageSize parse_image_size(const std::string& text) {
   const NumberList v("--image-size", text, "width,height");
   if (v.size() != 2) throw v.error("there are not 2 numbers");
-  return {pixels(v, 0), pixels(v, 1)};
+  return {pixels(v, 0), pixels(v, 1), true};
 }
 
 }  // namespace
@@ -117,6 +117,14 @@ CLI::Option* add_image_size_option(CLI::App& command, ImageSize& size) {
 }
 
 topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageSize& size) {
+  const bool other = camera.width != size.width || camera.height != size.height;
+  if (camera.width > 0 && size.given && other) {
+    throw InputError("--image-size", std::to_string(size.width) + " x " +
+                                         std::to_string(size.height) +
+                                         " px is not the size that the camera has, " +
+                                         std::to_string(camera.width) + " x " +
+                                         std::to_string(camera.height) + "; leave it out");
+  }
   if (camera.width == 0) {
     camera.width = size.width;
     camera.height = size.height;

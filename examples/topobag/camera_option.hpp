@@ -17,12 +17,14 @@ CLI::Option* add_camera_option(CLI::App& command, const std::string& name,
 struct ImageSize {
   int width = 640;   ///< px
   int height = 480;  ///< px
+  bool given = false;
 };
 
 /// Adds the option `--image-size width,height`, for a camera that was given without.
 CLI::Option* add_image_size_option(CLI::App& command, ImageSize& size);
 
-/// The camera, with `size` where it has none.
+/// The camera, with `size` where it has none. Throws InputError where it has another than was
+/// given.
 topobag::PinholeCamera<> with_size(topobag::PinholeCamera<> camera, const ImageSize& size);
 
 /// Throws InputError where a focal length is that of no lens over the image, whose size is known,

@@ -36,7 +36,9 @@ topobag::ClassId coco_class(const Json& category) {
     if (number > absent) --position;
   }
   if (position < 0 || given != number) {
-    throw InputError("category " + json_text(category) + " is none of COCO's");
+    throw InputError("category " + json_text(category) +
+                     " is none of COCO's, which are numbers from 1 to 90 without ten; give "
+                     "--classes for another list, from 0");
   }
   return topobag::ClassId{position};
 }
@@ -95,7 +97,8 @@ topobag::Detection detection_of(const Json& entry, topobag::ClassId label) {
   const Json scored = entry.value("score", Json(1.0));
   if (!scored.is_number()) throw InputError("the score has to be a number in [0, 1]");
   const double score = scored;
-  if (!(score >= 0.0 && score <= 1.0)) throw InputError("the score has to lie in [0, 1]");
+  if (!(score >= 0.0 && score <= 1.0))
+    throw InputError("the score has to lie in [0, 1], not " + json_text(scored));
   return {{x - 0.5, y - 0.5, x + w - 0.5, y + h - 0.5}, label, score};
 }
 

@@ -73,6 +73,17 @@ std::string repeated_option(const CLI::App& command) {
   return "";
 }
 
+/// The option that took another option for its value; empty where none did.
+std::string option_without_value(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      const bool taken = value.rfind("--", 0) == 0 && command.get_option_no_throw(value) != nullptr;
+      if (taken) return option->get_name();
+    }
+  }
+  return "";
+}
+
 /// What is wrong with a word that the command does not know; empty where there is none.
 std::string unknown_word(const std::vector<const CLI::App*>& commands) {
   const CLI::App& command = *commands.back();
@@ -83,7 +94,10 @@ std::string unknown_word(const std::vector<const CLI::App*>& commands) {
     const std::string nearest = nearest_option(command, word);
     return "there is no option " + word + (nearest.empty() ? "" : "; there is " + nearest);
   }
-  if (words.empty() || command.get_require_subcommand_min() == 0) return "";
+  if (words.empty()) return "";
+  if (command.get_require_subcommand_min() == 0) {
+    return "'" + words.front() + "' is one argument too many";
+  }
   return "there is no command '" + words_of(commands) + ' ' + words.front() + "'";
 }
 
@@ -92,6 +106,8 @@ std::string unknown_word(const std::vector<const CLI::App*>& commands) {
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const std::string said = error.what();
   const std::vector<const CLI::App*> commands = given_commands(app);
+  const std::string valueless = option_without_value(*commands.back());
+  if (!valueless.empty()) return valueless + " has no value; give it one, or leave it out";
   if (commands.size() > 1) {
     const std::string unknown = unknown_word(commands);
     if (!unknown.empty()) return unknown;
@@ -99,6 +115,14 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const std::string not_converted = "Could not convert: ";
   if (said.rfind(not_converted, 0) == 0) {
     return said.substr(not_converted.size()) + " is not a number of its kind";
+  }
+  const CLI::App& command = *commands.back();
+  if (commands.size() > 1 && command.get_require_subcommand_min() > 0) {
+    std::string parts;
+    for (const CLI::App* part : command.get_subcommands({})) {
+      parts += (parts.empty() ? "" : ", ") + part->get_name();
+    }
+    return "'" + words_of(commands) + "' is followed by one of its commands: " + parts;
   }
   const std::string repeated = repeated_option(*commands.back());
   if (error.get_name() == "ArgumentMismatch" && !repeated.empty()) {
@@ -111,6 +135,13 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
     return "a command comes first, then its options such as " + words.front();
   }
   return "there is no command '" + words.front() + "'";
+}
+
+std::string empty_option(const std::vector<std::string>& words) {
+  const auto empty = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+    return word.size() > 3 && word.rfind("--", 0) == 0 && word.find('=') == word.size() - 1;
+  });
+  return empty == words.end() ? "" : empty->substr(0, empty->size() - 1);
 }
 
 std::string help_of(const CLI::App& app) {

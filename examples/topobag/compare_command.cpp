@@ -241,6 +241,7 @@ void add_compare_command(CLI::App& app) {
   command.add_flag("--markdown", arguments->markdown, "The table in Markdown")->excludes("--json");
   command.callback([arguments, &command] {
     require_stress_and_gravity(command);
+    require_with(command, "--min-gap", {"--nodes"});
     if (!arguments->one_sequence() && arguments->tables.map.empty()) {
       throw InputError("give either --nodes or --map and --query");
     }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include <Eigen/Geometry>
 
@@ -13,6 +14,11 @@
 #include "csv_reader.hpp"
 
 namespace program {
+
+/// Whether a field says that there is no number, as tools write that.
+inline bool says_nan(std::string_view field) {
+  return field == "nan" || field == "NaN" || field == "NAN" || field == "-nan";
+}
 
 /// The columns tx ty tz qx qy qz qw of a table, of which it has all or none.
 class CsvPose {
@@ -35,7 +41,14 @@ class CsvPose {
                                [&](std::size_t column) { return csv_.text(column).empty(); });
     if (absent) return std::nullopt;
     std::array<double, 7> v{};
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] = csv_.number(columns_[i]);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      if (says_nan(csv_.text(columns_[i]))) {
+        throw csv_.error(
+            "the pose is not a number; leave its seven fields empty where it is not "
+            "known");
+      }
+      v[i] = csv_.number(columns_[i]);
+    }
     return csv_.located([&] { return topobag::pose_from_numbers(v); });
   }
 

@@ -31,7 +31,9 @@ std::string read_file(const std::string& path) {
   if (!file && errno != ENOENT && errno != 0) {
     throw InputError(path, "the file cannot be opened: " + std::generic_category().message(errno));
   }
-  if (!file) throw InputError(path, "the file cannot be opened; check the path");
+  if (!file) {
+    throw InputError(path, "the file cannot be opened; check the path" + home_hint(path));
+  }
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (file.bad()) throw InputError(path, "the file cannot be read");
   return text;
@@ -101,13 +103,18 @@ std::optional<std::size_t> CsvReader::find_column(std::string_view name) const {
 
 std::size_t CsvReader::column(std::string_view name) const {
   if (const std::optional<std::size_t> found = find_column(name)) return *found;
+  const std::size_t most = 12;
   std::string names;
-  for (const std::string& column : header_) names += " '" + column + "'";
+  for (std::size_t i = 0; i < std::min(most, header_.size()); ++i) names += " '" + header_[i] + "'";
+  if (header_.size() > most) names += " and " + std::to_string(header_.size() - most) + " more";
   throw error("there is no column '" + std::string(name) + "'; the header names" + names);
 }
 
 bool CsvReader::next() {
   if (!read_line()) return false;
+  if (std::equal(fields_.begin(), fields_.end(), header_.begin(), header_.end())) {
+    throw error("the header stands here again; a file holds one table");
+  }
   if (fields_.size() != header_.size()) {
     throw error("the row has " + std::to_string(fields_.size()) + " fields, the header " +
                 std::to_string(header_.size()));
@@ -137,7 +144,9 @@ double CsvReader::seconds(std::size_t column) const {
 bool CsvReader::read_line() {
   std::string_view line;
   if (!lines_.next(line)) return false;
-  if (line.find('"') != std::string_view::npos) throw error("quoted fields are not supported");
+  if (line.find('"') != std::string_view::npos) {
+    throw error("a field stands in quotes; write fields without, and none with a comma in it");
+  }
   split_at_tabs(line, fields_);
   const bool parted = !header_.empty() && fields_.size() == header_.size();
   if (!parted) topobag::TextLines::split(line, fields_);

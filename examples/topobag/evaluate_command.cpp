@@ -134,6 +134,10 @@ void require_loop_poses(const EvaluateOptions& options, const PairScores& scores
 }
 
 void evaluate(const EvaluateOptions& options) {
+  if (are_same_file(options.scores, options.against)) {
+    throw InputError("--against " + options.against,
+                     "these are the scores themselves; give those of another method");
+  }
   const KnownPlaces places = read_places(options);
   const topobag::PlaceTruth& truth = places.truth;
   Method method = read_method(options.scores, options, truth);

@@ -82,8 +82,7 @@ void explain_frame(const ExplainArguments& arguments) {
                                           arguments.recognition.image_size);
   keep_query(run, arguments.tables.query, arguments.frame);
   run.kept = KeptCandidates::reports;
-  look_up_in_map(run,
-                 calibration_request(arguments.calibration, arguments.recognition, run.classes));
+  look_up_in_map(run, calibration_request(arguments.calibration, arguments.recognition, run));
   save_calibration(arguments.calibration, run);
   topobag::Explanation explanation = explain_look_up(run, 0);
   if (!arguments.svg.empty()) {

@@ -26,11 +26,11 @@ std::string decoded(const std::string& text) {
 }  // namespace
 
 bool is_fleet_address(const std::string& text) {
-  return text.rfind("postgresql://", 0) == 0 || text.rfind("postgres://", 0) == 0;
+  return text.rfind("postgresql:", 0) == 0 || text.rfind("postgres:", 0) == 0;
 }
 
 FleetAddress parse_fleet_address(const std::string& text) {
-  if (!is_fleet_address(text)) {
+  if (!is_fleet_address(text) || text.compare(text.find(':'), 3, "://") != 0) {
     throw InputError(text,
                      "it is no server's address, as postgresql://USER@HOST/BASE?site=NAME is");
   }

@@ -73,7 +73,7 @@ void add_fleet_command(CLI::App& app) {
                               "Keeps the sites' key frames in memory "
                               "and tells how many there are");
   follow.add_option("--seconds", arguments->seconds, "For so long, s [for ever]")
-      ->check(number_within(0.0));
+      ->check(whole_number_from(0));
   add_classes_option(follow, arguments->classes);
   on_address(follow, arguments, [](const FleetArguments& given, const FleetAddress& address) {
     std::optional<std::chrono::seconds> time;

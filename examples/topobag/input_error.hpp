@@ -17,4 +17,11 @@ class InputError : public topobag::Error {
       : Error(file + ": " + sentence) {}
 };
 
+/// What to do about a path that begins with a ~, to be put behind a complaint; empty for others.
+inline std::string home_hint(const std::string& path) {
+  return path.rfind('~', 0) == 0
+             ? "; the shell leaves ~ as it is in quotes and behind =, so write $HOME"
+             : "";
+}
+
 }  // namespace program

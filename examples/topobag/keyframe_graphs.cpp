@@ -19,11 +19,13 @@
 #include "frame_poses.hpp"
 #include "input_error.hpp"
 #include "path_kind.hpp"
+#include "pose_reading.hpp"
 #include "pose_units.hpp"
 #include "progress.hpp"
 #include "recorded.hpp"
 #include "table_checks.hpp"
 #include "typical_sizes.hpp"
+#include "usual_sizes.hpp"
 
 namespace program {
 namespace {
@@ -158,6 +160,7 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
   const std::string poses =
       options.trajectory.empty() ? set_name(set) + ".frames.csv" : options.trajectory;
   require_metres(poses, table.frames);
+  require_pose_reading(poses, table.frames, options);
   if (options.clusters) {
     const TableStress& stress = options.stress;
     if (stress.depth_noise > 0.0 || stress.drop > 0.0 || stress.flip > 0.0) {
@@ -181,7 +184,15 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
   }
   if (options.matchable) require_usable(set, table, keyframes, options);
   const std::string idle = idle_window_text(table.frames, options.window);
-  if (!idle.empty()) std::cerr << "topobag: " << set << ": " << idle << '\n';
+  const std::string same = same_poses_text(table.frames, options);
+  const std::string doubt =
+      options.metric && !options.clusters
+          ? size_doubt_text(table.frames, options.camera, options.classes.catalog,
+                            options.min_confidence, "are z in metres")
+          : "";
+  for (const std::string& note : {idle, same, doubt}) {
+    if (!note.empty()) std::cerr << "topobag: " << set << ": " << note << '\n';
+  }
   return keyframes;
 }
 

@@ -30,6 +30,7 @@ struct KeyframeOptions {
   TableGravity gravity{};      ///< which way is down, told to the table by `read_keyframes`
   std::string trajectory{};    ///< file of the frames' poses, instead of the table's; empty = none
   bool clusters = false;       ///< the table is one of clusters, and there is no camera
+  bool metric = true;          ///< the table's lengths are metres
   bool matchable = true;       ///< `read_keyframes` wants a graph that can be matched
   ObjectClasses classes{};     ///< of the table's objects
   ObjectMapOptions objects{};  ///< where a map of objects stands in place of a table

@@ -50,11 +50,13 @@ void require_uses(const CLI::App& command, const LocalizeArguments& arguments) {
 void localize(const LocalizeArguments& arguments) {
   const RecognitionArguments& common = arguments.recognition;
   require_order(common.scoring.limits);
-  RecognitionRun run = read_map_and_query(arguments.tables, common.keyframes, common.image_size);
+  KeyframeOptions keyframes = common.keyframes;
+  keyframes.metric = !arguments.unknown_scale;
+  RecognitionRun run = read_map_and_query(arguments.tables, keyframes, common.image_size);
   thin_queries(run, common.query_interval);
   if (arguments.unknown_scale) run.scale = topobag::ScaleRange{};
   run.kept = kept_for(arguments.report);
-  look_up_in_map(run, calibration_request(arguments.calibration, common, run.classes),
+  look_up_in_map(run, calibration_request(arguments.calibration, common, run),
                  arguments.leave_out_radius);
   require_queries(run, arguments.leave_out_radius
                            ? "a key frame farther away than --leave-out-radius"

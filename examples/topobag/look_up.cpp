@@ -14,6 +14,7 @@
 #include <topobag/recognition/relocalizer.hpp>
 
 #include "input_error.hpp"
+#include "learning_conditions.hpp"
 #include "learnt_calibration.hpp"
 #include "progress.hpp"
 #include "run_map.hpp"
@@ -60,9 +61,12 @@ topobag::RecognitionOptions decided_options(RecognitionRun& run, const Calibrati
   run.calibrated.reset();
   if (request.learnt) {
     run.calibrated = {request.false_accept_rate, *request.learnt};
+    run.calibrated->other_map = is_of_other_map(*request.learnt, request.conditions);
     if (request.learnt->appearance()) run.calibrated->looks = "as learnt before";
   } else if (request.learn) {
     run.calibrated = learnt_calibration(run, request, min_gap);
+    run.calibrated->calibration.set_conditions(request.conditions);
+    run.calibrated->other_map = false;
   }
   topobag::RecognitionOptions options = options_of(run);
   options.decision.false_accept_rate = request.false_accept_rate;

@@ -21,6 +21,7 @@ struct CalibrationRequest {
   bool learn = false;  ///< from the map: its poses, other places, or else a null model
   std::vector<Keyframe> other_places{};          ///< key frames that are certainly not of the map
   std::optional<topobag::Calibration> learnt{};  ///< before; then nothing is learnt
+  topobag::CalibrationConditions conditions{};   ///< of the run
 };
 
 /// Looks every query up in the map, by the library's defaults, or by a decision that is calibrated

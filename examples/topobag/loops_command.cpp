@@ -35,8 +35,7 @@ void find_loops(const CLI::App& command, const LoopsArguments& arguments) {
   require_vertical(command, arguments.nodes, run.map);
   thin_queries(run, common.query_interval);
   run.kept = kept_for(arguments.report);
-  look_up_earlier(run, arguments.min_gap,
-                  calibration_request(arguments.calibration, common, run.classes));
+  look_up_earlier(run, arguments.min_gap, calibration_request(arguments.calibration, common, run));
   require_queries(run);
   save_calibration(arguments.calibration, run);
   score(run, common.scoring);

@@ -48,6 +48,8 @@ int main(int argc, char** argv) {
     for (const CLI::App* command : app.get_subcommands()) program::require_outputs(*command);
   });
   try {
+    const std::string empty = program::empty_option({argv + 1, argv + argc});
+    if (!empty.empty()) return fail(empty + " is empty; give it a value, or leave it out");
     app.parse(argc, argv);
     if (!std::cout.flush()) return fail("the output cannot be written");
   } catch (const CLI::ParseError& error) {

@@ -81,11 +81,12 @@ void make_map(const CLI::App& command, const MapArguments& arguments) {
   require_vertical(command, arguments.nodes, keyframes);
   const std::string session =
       arguments.session.empty() ? name_of(set_name(arguments.nodes)) : arguments.session;
+  const std::string left_out = left_out_text(arguments, keyframes);
   const std::size_t known =
       write_saved_map(arguments.out, session, keyframes, options.classes, arguments.append);
   std::cout << arguments.out << ": " << keyframes.size() << " key frames of " << session
             << " added to the " << map_kind_text(arguments.out) << '\n'
-            << left_out_text(arguments, keyframes);
+            << left_out;
   if (known > 0) {
     std::cout << arguments.out << ": " << known << " of " << keyframes.size()
               << " key frames are of images that the map held a key frame of: mapped twice, a "

@@ -23,12 +23,13 @@ MapKind kind_of(const std::string& path) {
     case PathKind::folder:
       throw InputError(path, "it is a folder; name the map in it");
     case PathKind::nothing:
-      throw InputError(path, "the file cannot be opened; check the path");
+      throw InputError(path, "the file cannot be opened; check the path" + home_hint(path));
     case PathKind::unreadable:
       throw InputError(path, found_at(path));
     case PathKind::other:
       break;
   }
+  if (is_compressed(path)) throw InputError(path, "it is compressed; unpack it first");
   throw InputError(path, "it is no map: neither an SQLite map nor a snapshot of topobag");
 }
 

@@ -35,14 +35,18 @@ class DetectionRows {
     detection.label = read_label();
     detection.confidence = csv_.number(conf_);
     if (detection.confidence < 0.0 || detection.confidence > 1.0) {
-      throw csv_.error("conf has to lie in [0, 1]");
+      throw csv_.error("conf has to lie in [0, 1], not " + std::string(csv_.text(conf_)));
     }
     const double w = csv_.number(w_);
     const double h = csv_.number(h_);
     if (w <= 0.0 || h <= 0.0) throw csv_.error("w and h, the size of the box, have to be positive");
     detection.box = topobag::box_around({csv_.number(u_), csv_.number(v_)}, w, h);
-    detection.z = csv_.number(z_);
-    if (detection.z < 0.0) throw csv_.error("z has to be positive, or 0 where it is not known");
+    const bool known = !says_nan(csv_.text(z_));
+    detection.z = known ? csv_.number(z_) : -1.0;
+    if (detection.z < 0.0) {
+      throw csv_.error("z is " + std::string(csv_.text(z_)) +
+                       "; it has to be positive, or 0 where it is not known");
+    }
     detection.label_weights = read_labels(csv_, labels_, detection.label, catalog_);
     return detection;
   }
@@ -105,7 +109,9 @@ void read_detections(const std::string& path, const topobag::ClassCatalog& catal
   while (csv.next()) {
     const auto frame = by_idx.find(csv.integer(idx));
     if (frame == by_idx.end()) {
-      throw csv.error("idx " + std::string(csv.text(idx)) + " is not among the frames");
+      throw csv.error("idx " + std::string(csv.text(idx)) + " is not among the frames, from " +
+                      std::to_string(by_idx.begin()->first) + " to " +
+                      std::to_string(by_idx.rbegin()->first) + "; are both files of one table?");
     }
     frame->second->detections.push_back(rows.read());
     frame->second->detections.back().appearance = appearance.read();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -25,6 +26,7 @@
 #include "output_files.hpp"
 #include "progress.hpp"
 #include "table_lock.hpp"
+#include "usual_sizes.hpp"
 
 namespace program {
 namespace {
@@ -94,6 +96,17 @@ void require_detections(const NodesOptions& options, const NodesTally& tally,
   throw InputError(options.model + options.boxes, why.str());
 }
 
+/// How many files a folder has, and how large they are together.
+std::string files_mark(const std::string& folder) {
+  std::uintmax_t files = 0, bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    ++files;
+    bytes += entry.file_size();
+  }
+  return std::to_string(files) + ' ' + std::to_string(bytes);
+}
+
 /// All that the detections depend on.
 std::string text_of(const NodesOptions& options) {
   const topobag::PinholeCamera<>& camera = options.camera;
@@ -105,6 +118,7 @@ std::string text_of(const NodesOptions& options) {
     text << *file << ' ';
     if (std::filesystem::is_regular_file(*file)) text << std::filesystem::file_size(*file) << ' ';
   }
+  if (std::filesystem::is_directory(options.boxes)) text << files_mark(options.boxes) << ' ';
   text << camera.fx << ' ' << camera.fy << ' ' << camera.cx << ' ' << camera.cy << ' '
        << camera.width << ' ' << camera.height << ' ' << options.depth_scale << ' '
        << static_cast<int>(yolo.head) << ' ' << yolo.min_confidence << ' ' << yolo.max_iou << ' '
@@ -148,7 +162,16 @@ void make_nodes(const NodesOptions& options) {
   require_depths(tally, detected.table);
   write_node_table(options.out, detected.table, catalog);
   checkpoint.remove();
-  std::cout << nodes_summary(options.out, tally, left_out);
+  std::cout << nodes_summary(set_name(options.out), tally, left_out);
+  const std::size_t unscored = source.boxes ? source.boxes->unscored : 0;
+  if (unscored > 0) {
+    std::cerr << "topobag: " << options.boxes << ": " << unscored
+              << " boxes have no score, and count as certain\n";
+  }
+  const std::string doubt =
+      size_doubt_text(detected.table.frames, camera, catalog, topobag::LiftOptions{}.min_confidence,
+                      "is --depth-scale that of the images");
+  if (!doubt.empty()) std::cerr << "topobag: " << set_name(options.out) << ": " << doubt << '\n';
 }
 
 }  // namespace

@@ -13,13 +13,19 @@
 
 namespace program {
 
+/// What to do about a number with a comma, to be put behind a complaint; empty without.
+inline std::string decimals_hint(const std::string& text) {
+  return text.find(',') == std::string::npos ? "" : "; decimals have a point";
+}
+
 /// Checks that an option is a finite number that lies where `inside` says and `range` shows.
 template <typename Inside>
 CLI::Validator finite_number(const std::string& range, const Inside& inside) {
   return {[range, inside](std::string& text) {
             const std::optional<double> number = parse_number(text);
-            return number && inside(*number) ? std::string()
-                                             : "'" + text + "' is not a number in " + range;
+            return number && inside(*number)
+                       ? std::string()
+                       : "'" + text + "' is not a number in " + range + decimals_hint(text);
           },
           range};
 }

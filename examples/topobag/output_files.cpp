@@ -56,7 +56,8 @@ void require_folder(const std::string& option, const std::string& file) {
   const fs::path parent = fs::path(file).parent_path();
   const fs::path folder = parent.empty() ? fs::path(".") : parent;
   if (!fs::is_directory(folder, none)) {
-    throw InputError(option + ' ' + file, "the folder does not exist; make it first");
+    throw InputError(option + ' ' + file,
+                     "the folder does not exist; make it first" + home_hint(file));
   }
   if (fs::exists(file, none) && !fs::is_regular_file(file, none)) return;  // such as a device
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
@@ -71,6 +72,10 @@ void require_file(const std::string& option, const std::string& file) {
   std::error_code none;
   if (fs::is_directory(file, none)) {
     throw InputError(option + ' ' + file, "it is a folder; name a file in it");
+  }
+  if (set_name(file) == file && fs::exists(file + ".frames.csv", none)) {
+    throw InputError(option + ' ' + file,
+                     "it is the name of a table, which the file would hide; give another name");
   }
   if (is_map_journal(file)) {
     throw InputError(option + ' ' + file, "it is a map's journal; give another name");
@@ -107,6 +112,11 @@ void require_outputs(const CLI::App& command) {
       throw InputError(output->get_name() + ' ' + file.string(), "it is a map; give another name");
     }
   }
+}
+
+bool are_same_file(const std::string& a, const std::string& b) {
+  std::error_code none;
+  return fs::equivalent(a, b, none) && !none;
 }
 
 }  // namespace program

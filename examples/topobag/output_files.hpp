@@ -15,7 +15,8 @@ CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::
 /// written into, and where no file is named.
 void require_folder(const std::string& option, const std::string& file);
 
-/// The same, and where the file is a folder itself, or the journal of an SQLite map.
+/// The same, and where the file is a folder itself, the name of a table, which would then be taken
+/// for the file, or the journal of an SQLite map.
 void require_file(const std::string& option, const std::string& file);
 
 /// Throws InputError where an option of the command, or of one within it, has an empty text.
@@ -25,5 +26,8 @@ void require_values(const CLI::App& command);
 /// another option of the command reads or writes, or a saved map, which pages and lists are not
 /// written over. Devices may be named more than once.
 void require_outputs(const CLI::App& command);
+
+/// Whether both names are of one file, which is there.
+bool are_same_file(const std::string& a, const std::string& b);
 
 }  // namespace program

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <system_error>
 
+#include <topobag/evaluation/text_lines.hpp>
+
 #include "input_error.hpp"
 #include "node_table.hpp"
 
@@ -49,6 +51,13 @@ PathKind path_kind(const std::string& path) {
   return set_name(path) != path && is_table ? PathKind::table : PathKind::other;
 }
 
+bool is_compressed(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string beginning(4, '\0');
+  file.read(beginning.data(), 4);
+  return topobag::is_compressed(beginning);
+}
+
 bool is_object_map(const std::string& path) {
   if (!is_file(path)) return false;
   std::ifstream file(path, std::ios::binary);
@@ -59,7 +68,7 @@ bool is_object_map(const std::string& path) {
 std::string found_at(const std::string& path) {
   switch (path_kind(path)) {
     case PathKind::nothing:
-      return "there is no such file, and no table of this name; check the path";
+      return "there is no such file, and no table of this name; check the path" + home_hint(path);
     case PathKind::folder:
       return "it is a folder; name a file or a table in it";
     case PathKind::unreadable:

@@ -20,6 +20,9 @@ enum class PathKind {
 /// By the first bytes of a file, whatever its name; a table is what no file has the name of.
 PathKind path_kind(const std::string& path);
 
+/// Whether the file is one of gzip or another packer.
+bool is_compressed(const std::string& path);
+
 /// Whether a file is a map of objects: by its first character, whatever its name.
 bool is_object_map(const std::string& path);
 

@@ -2,6 +2,7 @@
 #include "pose_files.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <sstream>
 
@@ -23,6 +24,14 @@ PoseFormat format_of(const std::string& path) {
   if (!lines.next(line)) throw InputError(path, "there is no pose in the file");
   std::vector<std::string_view> fields;
   topobag::TextLines::split(line, fields);
+  const bool mixed = std::any_of(fields.begin(), fields.end(), [](std::string_view field) {
+    return field.find_first_of("; ") != std::string_view::npos;
+  });
+  if (mixed && std::isdigit(static_cast<unsigned char>(line.front())) != 0) {
+    throw lines.error(
+        "numbers are separated by blanks or by commas, not by semicolons, and decimals have a "
+        "point");
+  }
   if (topobag::parse_number(fields.front())) {
     if (fields.size() == 12) return PoseFormat::kitti;
     if (fields.size() == 8 || topobag::names_w_first(lines.heading())) return PoseFormat::tum;

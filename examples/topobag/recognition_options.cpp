@@ -7,6 +7,7 @@
 #include "input_error.hpp"
 #include "number_check.hpp"
 #include "recognition_report.hpp"
+#include "report/html_text.hpp"
 
 namespace program {
 
@@ -27,9 +28,11 @@ void add_recognition_options(CLI::App& command, RecognitionArguments& arguments)
   number("--wrong-rotation", limits.wrong_rotation_deg, "Wrong beyond, degrees", 180.0);
   command.add_flag("--different-places", arguments.scoring.different_places,
                    "The sequences share no place: every accepted match is wrong");
-  command.add_flag("--align-worlds", arguments.scoring.align_worlds,
-                   "The poses of map and queries are of two worlds: score by the one rigid motion "
-                   "between them that most accepted matches agree on");
+  command
+      .add_flag("--align-worlds", arguments.scoring.align_worlds,
+                "The poses of map and queries are of two worlds: score by the one rigid motion "
+                "between them that most accepted matches agree on")
+      ->excludes("--different-places");
   command
       .add_option("--place-radius", arguments.scoring.place_radius,
                   "A match with a key frame whose camera was farther away is wrong, m [no limit]")
@@ -39,12 +42,15 @@ void add_recognition_options(CLI::App& command, RecognitionArguments& arguments)
 }
 
 void require_order(const topobag::PoseLimits& limits) {
-  if (limits.wrong_translation_m < limits.correct_translation_m) {
-    throw InputError("--wrong-translation", "wrong begins below where correct ends");
-  }
-  if (limits.wrong_rotation_deg < limits.correct_rotation_deg) {
-    throw InputError("--wrong-rotation", "wrong begins below where correct ends");
-  }
+  const auto require = [](const std::string& what, double correct, double wrong) {
+    if (wrong >= correct) return;
+    throw InputError("--wrong-" + what, "wrong begins at " + short_text(wrong) +
+                                            ", below where correct ends, at " +
+                                            short_text(correct) + "; give --wrong-" + what +
+                                            " and --correct-" + what + " in their order");
+  };
+  require("translation", limits.correct_translation_m, limits.wrong_translation_m);
+  require("rotation", limits.correct_rotation_deg, limits.wrong_rotation_deg);
 }
 
 void print_report(const RecognitionRun& run, const RecognitionArguments& arguments) {

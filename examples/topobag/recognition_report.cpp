@@ -202,8 +202,9 @@ std::string to_lines(const RecognitionRun& run) {
     const Keyframe& candidate = run.map[topobag::value(best.id)];
     out << to_string(best.verdict);
     if (best.pose) {
-      out << std::setprecision(2) << ", map " << name_of(candidate) << ", score " << best.score()
-          << " of " << best.threshold << ", " << count_text(best.matched, catalog)
+      const auto [score, asked] = topobag::told_apart(best.score(), best.threshold);
+      out << std::setprecision(2) << ", map " << name_of(candidate) << ", score " << score << " of "
+          << asked << ", " << count_text(best.matched, catalog)
           << missing_text(best, candidate.graph, query.graph, catalog);
       if (best.pose->scale_deviation > 0.0) {
         out << "; "

@@ -60,7 +60,8 @@ struct CalibratedRun {
   double false_accept_rate = 0.0;
   topobag::Calibration calibration{};
   std::string looks{};  ///< by what they are judged, in words; empty where there are none to learn
-  std::size_t places = 0;  ///< of the map that was looked up in, in the end
+  std::size_t places = 0;           ///< of the map that was looked up in, in the end
+  std::optional<bool> other_map{};  ///< learnt with another; nothing where that is not known
 };
 
 /// What an accepted match is held against.

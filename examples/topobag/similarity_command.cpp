@@ -168,6 +168,13 @@ void print_similarities(const SimilarityArguments& arguments) {
     frames.push_back(&frame_of(keyframes, idx, arguments.nodes));
   }
   require_objects(*frames.front(), arguments, options);
+  const bool one = std::all_of(frames.begin(), frames.end(),
+                               [&](const Keyframe* frame) { return frame == frames.front(); });
+  if (one) {
+    throw InputError("--frames",
+                     "it names frame " + std::to_string(frames.front()->idx) +
+                         " alone, which is like itself; name others to compare it with");
+  }
   SimilarityTable table = compare(std::move(frames), arguments.depth_scale);
   table.with_paper = arguments.frames == paper_frames;
   std::cout << (arguments.json ? to_json(table) : to_text(table));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "box_reach.hpp"
 #include "input_error.hpp"
 
 namespace program {
@@ -53,14 +54,14 @@ topobag::LiftOptions lifting_of(const KeyframeOptions& options) {
 void require_in_image(const std::string& set, const NodeTable& table,
                       const KeyframeOptions& options) {
   const topobag::PinholeCamera<>& camera = options.camera;
-  std::size_t boxes = 0, outside = 0, begin_outside = 0;
+  std::size_t boxes = 0, outside = 0;
+  BoxReach beyond(camera.width, camera.height);
   Eigen::Vector2d reach = Eigen::Vector2d::Zero(), first = Eigen::Vector2d::Zero();
-  const double border = -0.1 * std::min(camera.width, camera.height);  // px; no detector's
   for (const FrameRow& frame : table.frames) {
     for (const topobag::RangedDetection& detection : frame.detections) {
       ++boxes;
       reach = reach.cwiseMax(Eigen::Vector2d(detection.box.x2, detection.box.y2));
-      if (detection.box.x1 < border || detection.box.y1 < border) ++begin_outside;
+      beyond.add(detection.box);
       const Eigen::Vector2d center = detection.box.center();
       if (camera.in_image(center, -0.5)) continue;
       if (++outside == 1) first = center;
@@ -79,13 +80,12 @@ void require_in_image(const std::string& set, const NodeTable& table,
         << options.size_options << " of the table's images";
     throw InputError(set_name(set) + ".nodes.csv", why.str());
   }
-  if (5 * begin_outside > boxes) {
-    why << begin_outside << " of " << boxes
-        << " boxes begin far left of or above the image; u, v are a box's centre and w, h its "
-           "size, not two corners";
-    throw InputError(set_name(set) + ".nodes.csv", why.str());
+  if (outside == 0) {
+    const std::string form =
+        beyond.complaint("u, v are a box's centre and w, h its size, not two corners");
+    if (!form.empty()) throw InputError(set_name(set) + ".nodes.csv", form);
+    return;
   }
-  if (outside == 0) return;
   why << outside << " of " << boxes << " boxes lie outside the camera's image of " << camera.width
       << " x " << camera.height << " px, the first around " << first.x() << ", " << first.y()
       << "; give " << options.size_options << " of the table's images";
@@ -115,11 +115,17 @@ void require_usable(const std::string& set, const NodeTable& table,
   }
   std::ostringstream why;
   why << "none of " << keyframes_text(keyframes.size(), table, options)
-      << " has three objects with a position; of " << detections << " detections in the table "
-      << dropped.low_confidence << " are below --min-confidence, " << dropped.dynamic
-      << " move by themselves, " << dropped.no_depth << " have no depth, " << dropped.out_of_range
-      << " are out of range, " << dropped.too_large << " too large, " << dropped.invalid
-      << " not valid, " << dropped.duplicate << " seen twice";
+      << " has three objects with a position; ";
+  if (detections == 0) {
+    why << "there is no detection in the table"
+        << (options.stress.drop > 0.0 ? " after --drop" : "");
+    throw InputError(set_name(set) + ".nodes.csv", why.str());
+  }
+  why << "of " << detections << " detections in the table " << dropped.low_confidence
+      << " are below --min-confidence, " << dropped.dynamic << " move by themselves, "
+      << dropped.no_depth << " have no depth, " << dropped.out_of_range << " are out of range, "
+      << dropped.too_large << " too large, " << dropped.invalid << " not valid, "
+      << dropped.duplicate << " seen twice";
   const std::size_t ranged =
       detections - dropped.low_confidence - dropped.dynamic - dropped.no_depth;
   if (2 * dropped.out_of_range > ranged) why << "; z are" << depths_text(table);

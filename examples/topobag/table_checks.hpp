@@ -13,9 +13,9 @@ namespace program {
 /// Which detections become nodes.
 topobag::LiftOptions lifting_of(const KeyframeOptions& options);
 
-/// Throws InputError where the boxes of a table are not in pixels, are two corners, fill one
-/// quarter of the camera's image alone, or where the centre of one lies outside it: table and
-/// camera are not of one image.
+/// Throws InputError where the boxes of a table are not in pixels, reach far beyond the
+/// image, as corners taken for sizes do, fill one quarter of the camera's image alone, or where the
+/// centre of one lies outside it: table and camera are not of one image.
 void require_in_image(const std::string& set, const NodeTable& table,
                       const KeyframeOptions& options);
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "output_files.hpp"
 #include "pose_files.hpp"
 #include "report/html_text.hpp"
+#include "rotation_reading.hpp"
 #include "trajectory_checks.hpp"
 #include "trajectory_report.hpp"
 
@@ -58,10 +60,14 @@ Eigen::Isometry3d body_frame(const TrajectoryOptions& options, const std::string
     return *T_base_frame;
   }
   std::vector<double> v;
+  std::vector<std::string_view> fields;
   for (const std::string& text : options.body_frame) {
-    const std::optional<double> number = parse_number(text);
-    if (!number) throw no_pose;
-    v.push_back(*number);
+    topobag::TextLines::split(text, fields);
+    for (const std::string_view field : fields) {
+      const std::optional<double> number = parse_number(field);
+      if (!number) throw no_pose;
+      v.push_back(*number);
+    }
   }
   if (v.size() != 7) throw no_pose;
   try {
@@ -132,7 +138,13 @@ void score_trajectory(const TrajectoryOptions& options) {
   if (alignment != topobag::AlignmentModel::sim3) {
     require_one_unit(options.groundtruth, options.estimate, scores);
   }
+  if (options.body_frame.empty()) {
+    require_same_rotations(options.groundtruth, options.estimate, scores);
+  }
   if (options.asks_for_steps) require_steps(options.step, scores);
+  if (are_same_file(options.groundtruth, options.estimate)) {
+    std::cerr << "topobag: " << options.estimate << ": it is the ground truth itself\n";
+  }
   std::cerr << score_notes(options.estimate, estimate.content, scores, rules);
 
   Json result;

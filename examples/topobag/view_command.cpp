@@ -50,6 +50,7 @@ RecognitionRun viewed_run(const ViewArguments& arguments) {
   if (!arguments.tables.query.empty()) {
     run = read_map_and_query(arguments.tables, arguments.keyframes, arguments.image_size);
     look_up_in_map(run);
+    require_queries(run, "a usable key frame of the map");
   } else {
     KeyframeOptions options = arguments.keyframes;
     options.camera = camera_of(arguments);
@@ -60,6 +61,7 @@ RecognitionRun viewed_run(const ViewArguments& arguments) {
     if (arguments.loops) {
       run.queries = run.map;
       look_up_earlier(run, arguments.min_gap);
+      require_queries(run);
     }
   }
   score(run, {});
@@ -111,6 +113,9 @@ void add_view_command(CLI::App& app) {
     if (tables.query.empty()) require_table_options(command, tables.map);
     require_object_options(command, {tables.map, tables.query});
     require_with(command, "--min-gap", {"--loops"});
+    for (const char* option : {"--map-camera", "--map-world-up", "--map-trajectory"}) {
+      require_with(command, option, {"--query"});
+    }
     require_stress_and_gravity(command);
     view(*arguments);
   });

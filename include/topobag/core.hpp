@@ -93,6 +93,7 @@
 #include <topobag/recognition/align_maps.hpp>
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/calibration.hpp>
+#include <topobag/recognition/calibration_conditions.hpp>
 #include <topobag/recognition/calibration_text.hpp>
 #include <topobag/recognition/certain_negatives.hpp>
 #include <topobag/recognition/changes.hpp>

@@ -119,6 +119,14 @@ TEST_CASE("what a killed process had not finished is taken back, for reading too
   REQUIRE(std::filesystem::file_size(path + "-journal") > 0);
   SqliteOptions reading;
   reading.read_only = true;
-  CHECK(SqliteBag<>(path, reading).bag().info(KeyframeId{1})->label.empty());
-  CHECK_FALSE(std::filesystem::exists(path + "-journal"));
+  const std::string half = content_of(path), before = content_of(path + "-journal");
+  const std::string link = folder.path("link.db");
+  std::filesystem::create_symlink(path, link);
+  for (const std::string& name : {path, std::filesystem::relative(path).string(), link}) {
+    CAPTURE(name);
+    folder.write("map.db", half);
+    folder.write("map.db-journal", before);
+    CHECK(SqliteBag<>(name, reading).bag().info(KeyframeId{1})->label.empty());
+    CHECK_FALSE(std::filesystem::exists(path + "-journal"));
+  }
 }

@@ -51,6 +51,14 @@ TEST_CASE("what is no text is refused with its line", "[evaluation]") {
   const auto complaint = [](const std::string& text) {
     return error_text([&] { lines_of(text); });
   };
+  for (const std::string mark :
+       {"\x1F\x8B\x08\r", "PK\x03\x04", "BZh9", "\xFD\x37zXZ", "\x28\xB5\x2F\xFD"}) {
+    CHECK(is_compressed(mark));
+    CHECK(complaint(mark + "\n1 2\n") == "a.txt:1: this is compressed: unpack it first");
+    CHECK(complaint("1 2\n" + mark + "\n").find("compressed") == std::string::npos);
+  }
+  CHECK_FALSE(is_compressed("1 2"));
+  CHECK_FALSE(is_compressed("P"));
   CHECK(complaint("1\n\x01\x02\n") == "a.txt:2: this is no text; is it the right file?");
   CHECK(complaint(std::string("1\0", 2)) == "a.txt:1: this is no text; is it the right file?");
   CHECK(complaint("\xFF\xFE"

@@ -67,10 +67,10 @@ TEST_CASE("broken YOLO text is told with file and line", "[examples]") {
         "a.txt:1: here are 7 fields, a track's id behind the score, or three corners; a line is: "
         "class cx cy w h [score]");
   CHECK(complaint_of_line("0 0.5 0.5 0.1 0.1 90") ==
-        "a.txt:1: the score has to lie in [0, 1]; is 90 the id of a track?");
+        "a.txt:1: the score has to lie in [0, 1], not 90; is 90 the id of a track?");
   for (const std::string score : {"1.01", "-0.1", "nan"}) {
     CHECK(complaint_of_line("0 0.5 0.5 0.1 0.1 " + score) ==
-          "a.txt:1: the score has to lie in [0, 1]");
+          "a.txt:1: the score has to lie in [0, 1], not " + score);
   }
   for (const std::string number : {"80", "-1"}) {
     CHECK(complaint_of_line(number + " 0.5 0.5 0.1 0.1") ==
@@ -78,7 +78,8 @@ TEST_CASE("broken YOLO text is told with file and line", "[examples]") {
               " among 0 to 79; give the detector's own classes by --names");
   }
   CHECK(complaint_of_line("62.5 0.5 0.5 0.1 0.1") ==
-        "a.txt:1: the class '62.5' is no whole number");
+        "a.txt:1: the class '62.5' is no whole number; a line is: class cx cy w h [score], by the "
+        "class' number, with decimal points");
 }
 
 TEST_CASE("a box that is no share of the image is refused, one of no size counted",

@@ -124,3 +124,59 @@ TEST_CASE("a calibration of a map that repeats itself warns", "[examples]") {
   const ProgramRun table = run_program(command + sample_options);
   CHECK(table.out.find("  warning       " + warning + '\n') != std::string::npos);
 }
+
+TEST_CASE("a calibration is refused where graphs are made otherwise", "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string file = folder.path("c.txt");
+  const std::string localize = "localize " + calibrated_tables + sample_options;
+  REQUIRE(run_program(localize + "--calibrate --save-calibration " + file).exit_code == 0);
+  const std::string again = localize + "--calibration " + file;
+  CHECK(run_program(again).exit_code == 0);
+  const std::string remedy =
+      ": false matches of other graphs reach other scores; make them as it was learnt, or learn "
+      "anew by --calibrate";
+  CHECK(refusal(again + " --window 0") ==
+        file + ": it was learnt with --window 3, and here it is 0" + remedy);
+  CHECK(refusal(again + " --min-confidence 0.1") ==
+        file + ": it was learnt with --min-confidence 0.3, and here it is 0.1" + remedy);
+  CHECK(refusal(again + " --unknown-scale") ==
+        file + ": it was learnt without --unknown-scale, and this run is with it" + remedy);
+  CHECK(refusal("explain --frame 3 " + calibrated_tables + sample_options + "--window 1 " +
+                "--calibration " + file)
+            .find("with --window 3, and here it is 1") != std::string::npos);
+
+  // What was saved before says nothing of that, and is taken.
+  std::string text = program::read_file(file);
+  const std::size_t begin = text.find("conditions 5\n");
+  REQUIRE(begin != std::string::npos);
+  const std::string last = "window 3\n";
+  text.erase(begin, text.find(last, begin) + last.size() - begin);
+  folder.write("before.txt", text);
+  const CalibrationJson before = calibrated_run(
+      "localize " + calibrated_tables + " --window 0 --calibration " + folder.path("before.txt"));
+  CHECK(before.at("calibration").at("other_map").is_null());
+}
+
+TEST_CASE("a calibration of another map says so, and of how many places it was",
+          "[examples][regression]") {
+  const ScratchFolder folder;
+  const std::string file = folder.path("c.txt"), map = folder.path("xyz.bag");
+  const std::string learn =
+      "localize " + calibrated_tables + " --calibrate --save-calibration " + file;
+  CHECK(calibrated_run(learn).at("calibration").at("other_map") == false);
+  REQUIRE(run_program("map --nodes " + sample_map + " --out " + map + sample_options).exit_code ==
+          0);
+  const std::string saved = "localize --map " + map + " --query " + sample_query;
+  CHECK(calibrated_run(saved + " --calibration " + file).at("calibration").at("other_map") ==
+        false);  // the same map in another file
+  const std::string other = "localize --map " + sample_query + " --query " + sample_map;
+  CHECK(calibrated_run(other + " --calibration " + file).at("calibration").at("other_map") == true);
+  const std::string page = folder.path("r.html");
+  const ProgramRun told =
+      run_program(other + sample_options + "--calibration " + file + " --report " + page);
+  CHECK(told.out.find("  learnt        with another map, of ") != std::string::npos);
+  const std::string report = program::read_file(page);
+  CHECK(report.find("Score asked for") != std::string::npos);
+  CHECK(report.find("with another map, of ") != std::string::npos);
+  CHECK(told.out.find("; this one has ") != std::string::npos);
+}

@@ -69,10 +69,17 @@ TEST_CASE("a bad CSV file is refused with file, line and reason", "[examples]") 
   CHECK(error_of("") == "t.csv: the file is empty; a header row is needed");
   CHECK(error_of("\n\n") == "t.csv: the file is empty; a header row is needed");
   CHECK(error_of("a,b\n1,2\n") == "t.csv:1: there is no column 'x'; the header names 'a' 'b'");
+  std::string wide = "c0";
+  for (int i = 1; i < 14; ++i) wide += ",c" + std::to_string(i);
+  CHECK(error_of(wide + "\n").find("'c10' 'c11' and 2 more") != std::string::npos);
+  CHECK(error_of("x,y\n1,2\nx,y\n3,4\n") ==
+        "t.csv:3: the header stands here again; a file holds one table");
+  CHECK(error_of("\x1F\x8B\x08 a\r\n") == "t.csv:1: this is compressed: unpack it first");
   CHECK(error_of("x,y,x\n") == "t.csv:1: the header names column 'x' twice");
   CHECK(error_of("x,y\n1,2\n3\n") == "t.csv:3: the row has 1 fields, the header 2");
   CHECK(error_of("x,y\n1,2,3\n") == "t.csv:2: the row has 3 fields, the header 2");
-  CHECK(error_of("x,y\n\n\n\"1\",2\n") == "t.csv:4: quoted fields are not supported");
+  CHECK(error_of("x,y\n\n\n\"1\",2\n") ==
+        "t.csv:4: a field stands in quotes; write fields without, and none with a comma in it");
 }
 
 TEST_CASE("numbers are finite and whole fields", "[examples]") {

@@ -115,7 +115,10 @@ TEST_CASE("likely mistakes with a fleet are told in a sentence", "[examples][fle
       empty.name() + "it holds no fleet's map; its owner prepares it with `topobag fleet init`";
   const std::string many = "the address names 2 sites; a robot maps one: give one site=NAME";
   const std::vector<std::pair<std::string, std::string>> mistakes = {
-      {"fleet", "A subcommand is required; see topobag fleet --help"},
+      {"fleet",
+       "'fleet' is followed by one of its commands: init, admit, push, follow, status; see topobag "
+       "fleet "
+       "--help"},
       {"fleet push " + hall, "--map is required; see topobag fleet push --help"},
       {"fleet admit " + hall, "--role is required; see topobag fleet admit --help"},
       {"fleet admit --role r2d2 " + base.address(), "the address names no site; give site=NAME"},

@@ -96,9 +96,10 @@ TEST_CASE("JSON of what scores methods and trajectories is as its schema says", 
       folder.write("poses.txt", "0 0 0 0 0 0 0 1\n10 0.1 0 0 0 0 0 1\n20 9 0 0 0 0 0 1\n");
   check(written("trajectory --groundtruth " + poses + " --estimate " + poses), "trajectory");
   const std::string scores = folder.write("s.csv", "nan,.9,.1\n.9,nan,.2\n.1,.2,nan\n");
+  const std::string others = folder.write("o.csv", "nan,.7,.1\n.8,nan,.2\n.1,.2,nan\n");
   const std::string evaluate = "evaluate --poses " + poses + " --scores ";
   check(written(evaluate + scores), "evaluate");
-  check(written(evaluate + scores + " --bootstrap 50 --against " + scores), "evaluate");
+  check(written(evaluate + scores + " --bootstrap 50 --against " + others), "evaluate");
   const std::string loops =
       folder.write("l.csv", "query,candidate,score,tx,ty,tz,qx,qy,qz,qw\n1,0,1,0.1,0,0,0,0,0,1\n");
   check(written(evaluate + loops + " --map-poses " + poses), "evaluate");

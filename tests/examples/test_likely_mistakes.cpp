@@ -116,7 +116,9 @@ TEST_CASE("likely mistakes with what scores are told in a sentence", "[examples]
       {"compare --scores FOLDER/scores.csv" + two_tables + desk_camera,
        "FOLDER/scores.csv: the scores are 2 × 2, but the poses make 60 queries × 62 candidates"},
       {"evaluate --scores FOLDER/scores.csv", "--poses is required; see topobag evaluate --help"},
-      {evaluate + "note.txt", "FOLDER/note.txt:1: 'Monday:' is not a number."},
+      {evaluate + "note.txt",
+       "FOLDER/note.txt:1: 'Monday:' is not a number: a matrix of scores has no header, and that "
+       "of a list is query,candidate,score."},
       {evaluate + "list.csv", "FOLDER/list.csv: there is no score in the file"},
       {evaluate.substr(0, evaluate.size() - 1), "FOLDER: it is a folder; name a file in it"},
       {evaluate + "scores.csv --protocol radius=5",

@@ -116,7 +116,8 @@ TEST_CASE("the scoring's limits are options", "[examples]") {
       "--correct-translation 0 --wrong-translation 0 --correct-rotation 0 --wrong-rotation 0");
   CHECK(strict.at("wrong") == strict.at("accepted"));
   CHECK(refusal("localize --map a --query b --camera 500,500,320,240 --wrong-translation 0.1") ==
-        "--wrong-translation: wrong begins below where correct ends");
+        "--wrong-translation: wrong begins at 0.1, below where correct ends, at 0.3; give "
+        "--wrong-translation and --correct-translation in their order");
 }
 
 TEST_CASE("stress costs matches, and a seed repeats it", "[examples]") {

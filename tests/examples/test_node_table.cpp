@@ -114,20 +114,24 @@ TEST_CASE("bad frames are refused with file and line", "[examples]") {
 
 TEST_CASE("bad nodes are refused with file and line", "[examples]") {
   CHECK(error_of_node("") == "nothing was thrown");
-  CHECK(error_of_node("7,62,tv,0.9,1,1,1,1,1\n") == "s.nodes.csv:2: idx 7 is not among the frames");
+  CHECK(error_of_node("7,62,tv,0.9,1,1,1,1,1\n") ==
+        "s.nodes.csv:2: idx 7 is not among the frames, from 0 to 0; are both files of one table?");
   CHECK(error_of_node("0,,tv,0.9,1,1,1,1,1\n0,62,telly,0.9,1,1,1,1,1\n")
             .find("s.nodes.csv:3: unknown class 'telly'; nearest known: ") == 0);
   CHECK(error_of_node("0,63,tv,0.9,1,1,1,1,1\n") ==
         "s.nodes.csv:2: class_id 63 does not go with 'tv', which is number 62");
   CHECK(error_of_node("0,tv,tv,0.9,1,1,1,1,1\n") ==
         "s.nodes.csv:2: column 'class_id' holds 'tv', which is not an integer");
-  CHECK(error_of_node("0,62,tv,1.1,1,1,1,1,1\n") == "s.nodes.csv:2: conf has to lie in [0, 1]");
+  CHECK(error_of_node("0,62,tv,1.1,1,1,1,1,1\n") ==
+        "s.nodes.csv:2: conf has to lie in [0, 1], not 1.1");
   CHECK(error_of_node("0,62,tv,0.9,nan,1,1,1,1\n") ==
         "s.nodes.csv:2: column 'u' holds 'nan', which is not a finite number");
   CHECK(error_of_node("0,62,tv,0.9,1,1,0,1,1\n") ==
         "s.nodes.csv:2: w and h, the size of the box, have to be positive");
+  CHECK(error_of_node("0,62,tv,0.9,1,1,1,1,nan\n") ==
+        "s.nodes.csv:2: z is nan; it has to be positive, or 0 where it is not known");
   CHECK(error_of_node("0,62,tv,0.9,1,1,1,1,-1\n") ==
-        "s.nodes.csv:2: z has to be positive, or 0 where it is not known");
+        "s.nodes.csv:2: z is -1; it has to be positive, or 0 where it is not known");
 }
 
 TEST_CASE("numbers stand for classes where a table has no names", "[examples]") {

@@ -43,6 +43,11 @@ TEST_CASE("what holds no poses is refused, whatever it looks like", "[examples][
   CHECK(pose_complaint("INFO: tracking started\n") == "p.txt: there is no pose in the file");
   CHECK(pose_complaint("seq: 1\nseq: 2\n") == "p.txt: there is no pose in the file");
   CHECK(pose_complaint("12:00:00.000 1 0 0 0 0 0 1\n").find("p.txt:1: this begins no file") == 0);
+  for (const std::string line : {"1;0;0;0;0;0;0;1\r\n", "1,5 0,0 0,0 0,0 0,0 0,0 0,0 1,0\n"}) {
+    CHECK(pose_complaint(line) ==
+          "p.txt:1: numbers are separated by blanks or by commas, not by semicolons, and decimals "
+          "have a point");
+  }
   CHECK(pose_complaint("\x02\x7F:\x01\n") == "p.txt:1: this is no text; is it the right file?");
   CHECK(pose_complaint("1 2 3\n").find("p.txt:1: here are 3 numbers") == 0);
   CHECK(pose_complaint("seq: 1\n1 0 0 0 0 0 0 1\n2.0: 1 0 0 0 0 0 1\n") ==

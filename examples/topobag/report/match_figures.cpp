@@ -16,14 +16,14 @@ const topobag::RelativePose& pose_of(const QueryRecord& record) {
 Figure match_figure(const RecognitionRun& run, std::size_t i, std::string id, std::string title) {
   const QueryRecord& record = run.records[i];
   const topobag::CandidateReport& match = *record.recognition.accepted;
+  const auto [score, asked] = topobag::told_apart(match.score(), match.threshold);
   Figure figure{std::move(id), std::move(title), "", ""};
   figure.wide = true;
   figure.drawing = "<div class=\"drawing\">" + match_svg(run, i) + "</div>\n";
-  figure.caption = "Query " + name_of(run.queries[i]) + " in map " +
-                   name_of(run.map[topobag::value(match.id)]) + ": " +
-                   std::to_string(match.pose->inliers.size()) + " objects agree, score " +
-                   fixed_text(match.score(), 2) + " of " + fixed_text(match.threshold, 2) +
-                   " asked for, similarity " + fixed_text(match.similarity, 2) + ". ";
+  figure.caption =
+      "Query " + name_of(run.queries[i]) + " in map " + name_of(run.map[topobag::value(match.id)]) +
+      ": " + std::to_string(match.pose->inliers.size()) + " objects agree, score " + score +
+      " of " + asked + " asked for, similarity " + fixed_text(match.similarity, 2) + ". ";
   figure.caption += record.error
                         ? "Off the true pose by " + fixed_text(record.error->translation_m, 2) +
                               " m and " + fixed_text(record.error->rotation_deg, 1) + "°."

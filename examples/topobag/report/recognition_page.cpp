@@ -7,6 +7,7 @@
 
 #include <topobag/evaluation/protocol_text.hpp>
 
+#include "calibration_report.hpp"
 #include "csv_reader.hpp"
 #include "html_text.hpp"
 #include "match_figures.hpp"
@@ -84,6 +85,13 @@ void RecognitionPage::add_facts(Report& report, const std::vector<QueryOutcome>&
                            fixed_text(*summary.median_rotation_error_deg, 1) + "°");
   }
   if (summary.query_ms) facts.emplace_back("Time of a query", times_text(*summary.query_ms));
+  if (run_.calibrated) {
+    facts.emplace_back("Score asked for", threshold_text(*run_.calibrated));
+    const std::string other = other_map_text(*run_.calibrated);
+    if (!other.empty()) facts.emplace_back("Learnt", other);
+    const topobag::CarryOver carry_over = run_.calibrated->calibration.carries_over();
+    if (!carry_over) report.notes.push_back(carry_over.reason);
+  }
   facts.emplace_back("Correct is", "up to " + short_text(limits.correct_translation_m) + " m and " +
                                        short_text(limits.correct_rotation_deg) + "°; wrong " +
                                        wrong_text(run_));

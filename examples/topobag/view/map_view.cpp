@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "map_view.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -128,13 +129,15 @@ Json map_view(const RecognitionRun& run, const topobag::PinholeCamera<>& camera,
   for (const Keyframe& keyframe : placed.keyframes) poses.push_back(*keyframe.T_world_camera);
   const MapObjects map = map_objects(placed.keyframes, run.classes.lookalikes);
   ClassNames classes(run.classes.catalog);
+  const auto asked = std::count_if(run.records.begin(), run.records.end(),
+                                   [](const QueryRecord& record) { return record.is_query(); });
   Json json{{"title", name_of(run.map_set)},
             {"without_pose", run.map.size() - placed.keyframes.size()},
             {"image", image_bounds(camera_of(run, camera))},
             {"up", Json::array()},
             {"objects", objects_json(map.objects, classes)},
             {"keyframes", keyframes_json(placed.keyframes, map)},
-            {"looked_up", run.records.size()},
+            {"looked_up", asked},
             {"matches", matches_json(run, placed.number_of, map.of_nodes)}};
   append(json["up"], up ? up->normalized() : likely_up(poses));
   json["classes"] = classes.names();

@@ -113,7 +113,10 @@ LabelledScores label_scores(std::vector<ScoredPair> pairs, const Truth& truth) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (pairs[i].query >= truth.num_queries() || pairs[i].candidate >= truth.num_candidates()) {
       throw InvalidId("query " + std::to_string(pairs[i].query) + " or candidate " +
-                          std::to_string(pairs[i].candidate) + " has no pose",
+                          std::to_string(pairs[i].candidate) +
+                          " has no pose: they are row numbers of the poses, " +
+                          std::to_string(truth.num_queries()) + " queries and " +
+                          std::to_string(truth.num_candidates()) + " candidates, from 0",
                       i);
     }
     detail::require_finite_score(pairs[i].score, pairs[i].query, pairs[i].candidate, i);

@@ -31,6 +31,12 @@ ScoreMatrix read_score_rows(Lines& lines, std::string_view line) {
   std::size_t columns = 0;
   Eigen::Index rows = 0;
   do {
+    std::string_view first = line.substr(0, std::min(line.find_first_of(", \t"), line.size()));
+    if (columns == 0 && !first.empty() && !parse_number(first) && first.find(';') == first.npos) {
+      throw lines.error("'" + std::string(first.substr(0, 40)) +
+                        "' is not a number: a matrix of scores has no header, and that of a list "
+                        "is query,candidate,score.");
+    }
     lines.numbers(line, row);
     if (columns == 0) columns = row.size();
     if (row.size() != columns) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <fstream>
@@ -17,6 +18,16 @@
 
 namespace topobag {
 inline namespace v0 {
+
+/// Whether a file that begins so is one of gzip, ZIP, bzip2, xz or Zstandard, by the marks that
+/// their formats begin with.
+inline bool is_compressed(std::string_view beginning) {
+  constexpr std::array<std::string_view, 5> marks{"\x1F\x8B", "PK\x03\x04", "BZh", "\xFD\x37zXZ",
+                                                  "\x28\xB5\x2F\xFD"};
+  return std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
+    return beginning.substr(0, mark.size()) == mark;
+  });
+}
 
 /// The lines of a text file: how every reader of text reads, and complains.
 ///
@@ -36,7 +47,10 @@ class TextLines {
     while (std::getline(stream_, buffer_)) {
       ++number_;
       line = buffer_;
-      if (number_ == 1) line = without_mark(line);
+      if (number_ == 1) {
+        require_plain(line);
+        line = without_mark(line);
+      }
       line = trimmed(line);
       if (line.empty()) continue;
       require_line_ends(line);
@@ -111,6 +125,10 @@ class TextLines {
       return ": separate numbers by commas or by blanks, not by both, and write 0.5, not 0,5";
     }
     return "";
+  }
+
+  void require_plain(std::string_view line) const {
+    if (is_compressed(line)) throw error("this is compressed: unpack it first");
   }
 
   std::string_view without_mark(std::string_view line) const {

@@ -9,6 +9,7 @@
 
 #include <topobag/error.hpp>
 #include <topobag/matching/appearance_model.hpp>
+#include <topobag/recognition/calibration_conditions.hpp>
 #include <topobag/recognition/false_scores.hpp>
 
 namespace topobag {
@@ -195,6 +196,12 @@ class Calibration {
   /// How many places the queries asked, certain negatives and the null model's alike.
   const AskedPlaces& asked_places() const noexcept { return asked_; }
 
+  /// States what the graphs that it learnt from were made with, for its host.
+  void set_conditions(CalibrationConditions conditions) { conditions_ = std::move(conditions); }
+
+  /// What is stated of that; it has no say in any answer.
+  const CalibrationConditions& conditions() const noexcept { return conditions_; }
+
   /// What it was made with.
   const CalibrationOptions& options() const noexcept { return options_; }
 
@@ -229,6 +236,7 @@ class Calibration {
   FalseScores null_;
   std::size_t repeats_ = 0;
   AskedPlaces asked_;
+  CalibrationConditions conditions_;
   std::optional<AppearanceModel> appearance_;
 };
 

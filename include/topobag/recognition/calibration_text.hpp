@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include <topobag/error.hpp>
 #include <topobag/recognition/calibration.hpp>
+#include <topobag/recognition/calibration_conditions.hpp>
 #include <topobag/types/detail/value_lines.hpp>
 
 namespace topobag {
@@ -19,7 +21,7 @@ inline namespace v0 {
 namespace detail {
 
 // The latest; 1 has no appearance, and up to 2 none of shares other than the defaults, nor how many
-// places were asked.
+// places were asked, nor conditions.
 inline constexpr std::size_t calibration_version = 3;
 
 inline void append_scores(std::string& text, const std::string& key, const FalseScores& scores) {
@@ -43,11 +45,36 @@ inline FalseScores read_scores(ValueLines& lines, const std::string& key) {
 /// The least version that holds the calibration.
 inline std::size_t least_calibration_version(const Calibration& calibration) {
   if (calibration.asked_places().queries > 0) return 3;
+  if (!calibration.conditions().stated().empty()) return 3;
   if (!calibration.appearance()) return 1;
   const AppearanceModel usual;
   const bool usual_shares = calibration.appearance()->furnished_alike == usual.furnished_alike &&
                             calibration.appearance()->light_changed == usual.light_changed;
   return usual_shares ? 2 : 3;
+}
+
+inline void append_conditions(std::string& text, const CalibrationConditions& conditions) {
+  if (conditions.stated().empty()) return;
+  text += "conditions " + exact_text(conditions.stated().size()) + '\n';
+  for (const auto& [name, value] : conditions.stated()) text += name + ' ' + value + '\n';
+}
+
+inline CalibrationConditions read_conditions(ValueLines& lines) {
+  CalibrationConditions conditions;
+  if (!lines.next_begins("conditions ")) return conditions;
+  const auto count = lines.number<std::size_t>(lines.behind("conditions"));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string line(lines.next());
+    const std::size_t blank = std::min(line.find(' '), line.size());
+    const std::size_t stated = conditions.stated().size();
+    try {
+      conditions.set(line.substr(0, blank), line.substr(std::min(blank + 1, line.size())));
+    } catch (const InvalidValue& error) {
+      lines.fail(std::string(error.what()) + '.');
+    }
+    if (conditions.stated().size() == stated) lines.fail("a condition is stated twice.");
+  }
+  return conditions;
 }
 
 /// @param version  of the text
@@ -92,7 +119,7 @@ inline AppearanceModel read_appearance(ValueLines& lines, std::size_t version) {
 
 /// A calibration as text, a value on each line: its version, the least that holds it, what it goes
 /// by, its options, the queries and their scores, and, where they are known, the places that were
-/// asked and what looks say. `parse_calibration` turns it back into the same one, to the last bit;
+/// asked, under which conditions, and what looks say. `parse_calibration` turns it back into the same one, to the last bit;
 /// no locale has a say. O(n).
 inline std::string to_string(const Calibration& calibration) {
   const CalibrationOptions& options = calibration.options();
@@ -108,6 +135,7 @@ inline std::string to_string(const Calibration& calibration) {
   if (version >= 3) {
     text += "places_look_ups " + detail::exact_text(calibration.asked_places().queries) + '\n';
     text += "places_asked " + detail::exact_text(calibration.asked_places().places) + '\n';
+    detail::append_conditions(text, calibration.conditions());
   }
   if (calibration.appearance()) detail::append_appearance(text, *calibration.appearance(), version);
   return text + "end\n";
@@ -128,9 +156,11 @@ inline Calibration parse_calibration(std::string_view text) {
   FalseScores negatives = detail::read_scores(lines, "negative");
   FalseScores null = detail::read_scores(lines, "null");
   AskedPlaces asked;
+  CalibrationConditions conditions;
   if (version == 3) {
     asked.queries = lines.number<std::size_t>(lines.behind("places_look_ups"));
     asked.places = lines.number<std::size_t>(lines.behind("places_asked"));
+    conditions = detail::read_conditions(lines);
   }
   std::optional<AppearanceModel> appearance;
   if (version == 2 || (version >= 3 && lines.next_begins("appearance_kind "))) {
@@ -144,6 +174,7 @@ inline Calibration parse_calibration(std::string_view text) {
     }
     lines.require_end();
     calibration.set_asked_places(asked);
+    calibration.set_conditions(std::move(conditions));
     if (appearance) calibration.set_appearance(*appearance);
     return calibration;
   } catch (const InvalidValue& error) {

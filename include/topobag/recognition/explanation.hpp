@@ -115,11 +115,6 @@ using KeyframeName = std::function<std::string(KeyframeId)>;
 /// The name of a key frame by its id.
 inline std::string id_name(KeyframeId id) { return "key frame " + std::to_string(value(id)); }
 
-namespace detail {
-
-inline constexpr const char* cut_short =
-    "the search was cut short (max_pairs, max_steps or max_hypotheses)";
-
 /// Two numbers with the decimals that tell them apart, two at least: 0.904 and 0.896, not twice
 /// 0.90.
 inline std::pair<std::string, std::string> told_apart(double a, double b) {
@@ -134,6 +129,11 @@ inline std::pair<std::string, std::string> told_apart(double a, double b) {
   while (a != b && decimals < most && text(a, decimals) == text(b, decimals)) ++decimals;
   return {text(a, decimals), text(b, decimals)};
 }
+
+namespace detail {
+
+inline constexpr const char* cut_short =
+    "the search was cut short (max_pairs, max_steps or max_hypotheses)";
 
 /// Where a rival puts the query: ", with the query at (1.00, 2.00, -0.50) m of the world".
 inline std::string place_text(const RivalPlace& rival) {
@@ -164,14 +164,14 @@ inline std::string to_string(const CandidateExplanation& candidate,
   }
   if (candidate.scale) out << "  " << to_string(*candidate.scale) << '\n';
   for (const ExplainedStage& stage : candidate.stages) {
-    const auto [has, asked] = detail::told_apart(stage.value, stage.asked);
+    const auto [has, asked] = told_apart(stage.value, stage.asked);
     out << "  " << (stage.passed ? "passed" : "failed") << "  " << stage.name << ": " << has
         << stage.unit << " of " << (stage.at_least ? "at least " : "at most ") << asked
         << stage.unit;
     if (!stage.passed && stage.missed_by() == 0.0) {
       out << ", a tie, which goes to the one before";
     } else if (!stage.passed) {
-      out << ", missed by " << detail::told_apart(stage.missed_by(), 0.0).first << stage.unit;
+      out << ", missed by " << told_apart(stage.missed_by(), 0.0).first << stage.unit;
     }
     out << '\n';
   }

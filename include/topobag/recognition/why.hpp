@@ -12,8 +12,8 @@ namespace topobag {
 inline namespace v0 {
 
 /// In one line, without its end, why a query was or was not recognised: the accepted candidate's
-/// score, or the nearest one's and what was against it, and whether the search for its poses was cut
-/// short. For all candidates, stage by stage: `explain`.
+/// score, or the nearest one's and what was against it, and whether the search for its poses was
+/// cut short. For all candidates, stage by stage: `explain`.
 /// @param name_of  how a reader knows a key frame
 inline std::string why(const Recognition& recognition, const KeyframeName& name_of = id_name) {
   if (!recognition.usable) return "not recognised: a query takes three objects with a position";
@@ -23,7 +23,7 @@ inline std::string why(const Recognition& recognition, const KeyframeName& name_
   std::string line = recognition ? "recognised " : "not recognised; nearest is ";
   line += name_of(told.id);
   if (told.pose) {
-    const auto [score, asked] = detail::told_apart(told.score(), told.threshold);
+    const auto [score, asked] = told_apart(told.score(), told.threshold);
     line += ": " + std::to_string(told.pose->inliers.size()) + " objects agree, score " + score +
             " of at least " + asked;
     if (told.pose->scale_deviation > 0.0) {

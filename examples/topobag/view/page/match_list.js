@@ -13,7 +13,7 @@ class MatchList {
     this.section.hidden = map.json.looked_up === 0;
     document.getElementById('match-count').textContent =
       `${map.matches.length.toLocaleString('en')} of ${map.json.looked_up.toLocaleString('en')} ` +
-      'key frames looked up';
+      'key frames that could be looked up';
     this.addKinds();
     for (const index of this.ranked.slice(0, mostRows)) this.addRow(index);
     if (this.ranked.length > mostRows) {

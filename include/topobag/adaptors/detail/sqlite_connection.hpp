@@ -53,7 +53,7 @@ class SqliteConnection {
       throw Error("'" + path + "' is no file: a map there would be gone at the end; name one");
     }
     require_journal(path);
-    if (read_only && sqlite_journal_of(path) == path + "-journal") undo_unfinished(path);
+    if (read_only && sqlite_journal_of(path) == real_path(path) + "-journal") undo_unfinished(path);
     const int flags = read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     sqlite3* opened = nullptr;
     const int status = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
