@@ -15,7 +15,7 @@ targets=("$@")
 program=examples/topobag
 declare -A sources=([node_table]="$program/node_table.cpp $program/csv_reader.cpp $program/appearance_columns.cpp
     $program/depth_column.cpp $program/label_column.cpp $program/path_kind.cpp"
-  [box_file]="$program/box_files.cpp $program/coco_file.cpp $program/image_names.cpp
+  [box_file]="$program/box_files.cpp $program/box_reach.cpp $program/coco_file.cpp $program/image_names.cpp
     $program/json_output.cpp $program/csv_reader.cpp"
   [class_list]="$program/class_list.cpp $program/csv_reader.cpp" [sqlite_row]=-lsqlite3 [delaunay]="-lgmp -lmpfr")
 out=build/fuzz
