@@ -102,6 +102,9 @@ void compare_with_brute_force(std::uint64_t seed, std::uint64_t ids, std::size_t
     const Graph query = source.keyframe(places[source.below(places.size())]);
     const QueryOptions options = random_options(source, ids);
     differences += bag.query(query, options) == oracle.query(query, options) ? 0U : 1U;
+    const double x = 0.1 * static_cast<double>(source.below(ids));
+    const MapRegion region{Eigen::Vector3d(x, 0, 0), source.chance(0.1) ? 1e9 : 30 * source.unit()};
+    differences += bag.within(region) == oracle.within(region) ? 0U : 1U;
   }
   CHECK(differences == 0);
   REQUIRE(bag.size() == oracle.size());
