@@ -64,7 +64,7 @@ int main() {
     return make_topology_graph(lift_detections(image.detections, image, camera, catalog).nodes,
                                DelaunayEdges2<>{});
   };
-  Relocalizer<> relocalizer;
+  Relocalizer<> relocalizer(recognition_options(catalog));
   relocalizer.map().add(KeyframeId{7}, graph_of(before));
   const Recognition found = relocalizer.localize(graph_of(now));
   if (found) std::cout << found.accepted->pose->T_candidate_query.matrix() << '\n';

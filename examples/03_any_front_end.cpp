@@ -68,8 +68,9 @@ std::optional<double> depth_at(const Eigen::Vector2d& pixel, double stamp,
 }  // namespace
 
 int main() {
-  LocalGraph<> window;                          // the last 3 s
-  LoopDetector<> loops(LoopOptions{20.0, {}});  // a loop is at least 20 s old
+  LocalGraph<> window;  // the last 3 s
+  // A loop is at least 20 s old.
+  LoopDetector<> loops(LoopOptions{20.0, recognition_options(catalog)});
   std::optional<Eigen::Isometry3d> T_world_previous;
   std::size_t masked = 0, found = 0;
 

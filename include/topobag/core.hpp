@@ -7,6 +7,7 @@
 #include <topobag/bag/atomic_file.hpp>
 #include <topobag/bag/bag_concepts.hpp>
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/bag/bag_reader.hpp>
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/build_indexed_bag.hpp>
 #include <topobag/bag/camera_poses.hpp>

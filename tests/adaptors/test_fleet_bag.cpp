@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -8,8 +9,11 @@
 #include <vector>
 
 #include <topobag/adaptors/fleet_bag.hpp>
+#include <topobag/bag/bag_concepts.hpp>
+#include <topobag/recognition/calibrate.hpp>
 
 #include "adaptors/postgres_server.hpp"
+#include "bag/reading_calls.hpp"
 #include "catch.hpp"
 #include "error_text.hpp"
 #include "random_graphs.hpp"
@@ -29,6 +33,35 @@ std::string fleet_base(std::vector<std::string> sites = {"hall"}) {
 }
 
 }  // namespace
+
+TEST_CASE("a fleet's bag has every reading call, and is asked by whoever asks bags", "[fleet]") {
+  CHECK(missing_calls_of<FleetBag>() == "");
+  STATIC_REQUIRE(is_searchable_bag_v<FleetBag>);
+  STATIC_REQUIRE_FALSE(is_stored_bag_v<FleetBag>);  // its ids mean nothing outside of it
+  if (!PostgresServer::is_installed()) return;
+  std::mt19937 random(3);
+  const std::string conninfo = fleet_base();
+  PostgresStore store(conninfo);
+  for (std::uint8_t i = 0; i < 12; ++i) {
+    FleetVersion version =
+        version_of({"hall", Uuid{1}, Uuid{1}, KeyframeId{i}}, {}, random_graph(random, 8));
+    version.seq = i + 1;
+    store.append({version});
+  }
+  FleetBag fleet({{conninfo, {"hall"}}});
+  CHECK(fleet.empty());
+  fleet.follow();
+  std::vector<KeyframeId> ids;
+  fleet.for_each([&](const FleetKey&, const EntryInfo&, const TopologyGraph<>&) {
+    ids.push_back(fleet.query(*fleet.find(KeyframeId{ids.size()})).front().id);
+  });
+  REQUIRE(ids.size() == 12);
+  CHECK(std::is_sorted(ids.begin(), ids.end()));
+  const Relocalizer relocalizer(fleet);
+  CalibrateOptions options;
+  options.null_queries = 12;
+  CHECK(calibrate(relocalizer, ids, {}, options).queries() == 12);
+}
 
 TEST_CASE("what a robot pushes is in every follower's bag", "[fleet]") {
   if (!PostgresServer::is_installed()) return;

@@ -11,6 +11,7 @@
 
 #include "adaptors/sqlite_maps.hpp"
 #include "bag/moved_poses.hpp"
+#include "bag/reading_calls.hpp"
 #include "catch.hpp"
 #include "recognition/synthetic_room.hpp"
 #include "scratch_folder.hpp"
@@ -19,6 +20,11 @@ using namespace topobag;
 
 static_assert(is_searchable_bag_v<SqliteBag<>> && is_growing_bag_v<SqliteBag<>>);
 static_assert(is_stored_bag_v<SqliteBag<>> && is_durable_bag_v<SqliteBag<>>);
+
+TEST_CASE("a map on disk has every reading call", "[sqlite]") {
+  CHECK(missing_calls_of<SqliteBag<>>() == "");
+  CHECK(missing_calls_of<SqliteBag<IndexedBag>>() == "");
+}
 
 TEST_CASE("loops are found in a map on disk as in one in memory, without a copy", "[sqlite]") {
   const ScratchFolder folder;

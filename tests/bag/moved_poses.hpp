@@ -22,6 +22,18 @@ inline Eigen::Isometry3d camera_in_flat(std::mt19937& random) {
          Eigen::AngleAxisd(radians(random), Eigen::Vector3d::UnitY());
 }
 
+/// That a bag finds the cameras of a region that a walk through all entries finds.
+template <typename Bag>
+void check_within(const Bag& bag, const topobag::MapRegion& region) {
+  using namespace topobag;
+  std::vector<KeyframeId> inside;
+  bag.for_each([&](KeyframeId id, const EntryInfo& info, const TopologyGraph<>&) {
+    if (info.T_world_camera && region.contains(info.T_world_camera->translation()))
+      inside.push_back(id);
+  });
+  CHECK(bag.within(region) == inside);
+}
+
 /// That two bags hold the same, and answer alike.
 template <typename A, typename B>
 void check_same_map(const A& a, const B& b, std::mt19937& random) {
@@ -50,6 +62,8 @@ void check_same_map(const A& a, const B& b, std::mt19937& random) {
     CHECK(a.query(graph, options) == b.query(graph, options));
     options.among.region = MapRegion{camera_in_flat(random).translation(), 6.0};
     CHECK(a.query(graph, options) == b.query(graph, options));
+    check_within(a, *options.among.region);
+    check_within(b, *options.among.region);
   }
 }
 

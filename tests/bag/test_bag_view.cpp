@@ -7,6 +7,7 @@
 #include <topobag/bag/snapshot.hpp>
 
 #include "bag/desk_pieces.hpp"
+#include "bag/filled_bags.hpp"
 #include "catch.hpp"
 #include "recombined_graphs.hpp"
 
@@ -85,4 +86,29 @@ TEST_CASE("a saved and loaded bag answers as the first one", "[bag][index]") {
     CHECK(loaded.query(query) == bag.query(query));
   }
   CHECK(loaded.info(KeyframeId{950})->label == "a floor with a long name");
+}
+
+TEST_CASE("a view and a copy stay as they were", "[bag][index]") {
+  RecombinedGraphs source(desk_pieces(4), 4);
+  IndexedBag bag = bag_of(source, 20);
+  const Graph query = source.keyframe(source.place());
+  const auto view = bag.view();
+  const auto before = view->query(query);
+  IndexedBag copy = bag;
+  for (std::uint64_t i = 0; i < 150; ++i) CHECK(bag.erase(KeyframeId{i}));
+  for (std::uint64_t i = 150; i < 170; ++i) bag.update(KeyframeId{i}, query);
+  for (std::uint64_t i = 1000; i < 1200; ++i) bag.add(KeyframeId{i}, query);
+  copy.add(KeyframeId{5000}, Graph{});
+  bag.add(KeyframeId{5000}, query);
+  CHECK(view->query(query) == before);
+  CHECK(view->size() == 200);
+  CHECK(copy.size() == 201);
+  CHECK(copy.find(KeyframeId{5000})->empty());
+  CHECK(bag.size() == 251);
+  CHECK(copy.query(query) == before);
+  copy = bag;
+  CHECK(copy.query(query) == bag.query(query));
+  bag.clear();
+  CHECK(bag.empty());
+  CHECK(copy.size() == 251);
 }

@@ -143,3 +143,30 @@ TEST_CASE("what is unknown or of another kind is not counted, and few pairs teac
         "appearance is learnt from 100 pairs of one object and as many of two; there are 100 and "
         "0");
 }
+
+TEST_CASE("counts that were made apart add up to those made at once", "[matching]") {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> cosine(-1.0, 1.0);
+  AppearanceCounts one(plane), other(plane), all(plane);
+  for (int i = 0; i < 400; ++i) {
+    const ApartBy same(std::max(cosine(random), cosine(random))), two(cosine(random));
+    AppearanceCounts& part = i % 3 == 0 ? one : other;
+    for (AppearanceCounts* counts : {&part, &all}) {
+      counts->add_same(same.a, same.b);
+      counts->add_other(two.a, two.b);
+    }
+  }
+  one += other;
+  CHECK(one.kind() == plane);
+  CHECK(one.same() == all.same());
+  CHECK(one.other() == all.other());
+  const auto sum = one.model().table, whole = all.model().table;
+  REQUIRE(sum.size() == whole.size());
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    CHECK(sum[i].similarity == whole[i].similarity);
+    CHECK(sum[i].log10_odds == whole[i].log10_odds);
+  }
+  const AppearanceCounts foreign(AppearanceKind("other", 2));
+  CHECK(error_text([&] { one += foreign; }) == "counts of two kinds of descriptors do not add up");
+  CHECK(one.same() == all.same());
+}

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <topobag/matching/appearance_counts.hpp>
-#include <topobag/matching/learn_appearance.hpp>
 #include <topobag/sensing/color_descriptor.hpp>
 
 #include "depth_argument.hpp"
@@ -107,20 +106,12 @@ void bind_appearance(py::module_& module) {
       .def(py::init<AppearanceKind>(),
            py::arg_v("kind", ColorDescriptor::kind, "AppearanceKind.color()"),
            doc("AppearanceCounts.AppearanceCounts"))
+      .def_property_readonly("kind", &AppearanceCounts::kind, doc("AppearanceCounts.kind"))
       .def_property_readonly("same", &AppearanceCounts::same, doc("AppearanceCounts.same"))
       .def_property_readonly("other", &AppearanceCounts::other, doc("AppearanceCounts.other"))
       .def("model", &AppearanceCounts::model,
            py::arg_v("prior", AppearancePrior(), "AppearancePrior()"),
            doc("AppearanceCounts.model"));
-}
-
-void bind_learning(py::module_& module) {
-  module.def("learn_appearance", &learn_appearance<double>, py::arg("counts"), py::arg("candidate"),
-             py::arg("query"), py::arg("pose"),
-             py::arg_v("options", CoincidenceOptions(), "CoincidenceOptions()"),
-             doc("learn_appearance"));
-  module.def("learn_other_appearance", &learn_other_appearance<double>, py::arg("counts"),
-             py::arg("here"), py::arg("elsewhere"), doc("learn_other_appearance"));
 }
 
 }  // namespace python

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <map>
 #include <sstream>
 #include <variant>
 
@@ -35,16 +36,20 @@ std::shared_ptr<MemoryMap> memory_map(const AnySimilarityArgument& argument) {
   return std::make_shared<MemoryMapBy<AnySimilarity>>(Bag(AnySimilarity(similarity)));
 }
 
-std::vector<KeyframeId> ids_of(const Map& map) {
-  std::vector<KeyframeId> ids;
-  map.view()->for_each([&](KeyframeId id, const EntryInfo&, const Graph&) { ids.push_back(id); });
-  return ids;
-}
-
 Graph graph_at(const Map& map, KeyframeId id) {
   if (auto graph = map.view()->find(id)) return *std::move(graph);
   throw topobag::InvalidId("key frame " + std::to_string(topobag::value(id)) +
                            " is not in the bag");
+}
+
+void set_poses(Map& map, const std::map<KeyframeId, ArrayLike>& T_world_camera) {
+  topobag::CameraPoses poses;
+  for (const auto& [id, pose] : T_world_camera) {
+    poses.emplace(id,
+                  pose_of(pose, "key frame " + std::to_string(topobag::value(id)) + ": the pose"));
+  }
+  const py::gil_scoped_release unlocked;
+  map.set_poses(poses);
 }
 
 EntryInfo info_from(const std::optional<double>& stamp, std::uint32_t session,
@@ -96,6 +101,14 @@ void bind_map(py::module_& module) {
   define_change(map, "add", &Map::add, doc("BagOfTopologyGraphs.add"));
   define_change(map, "update", &Map::update, doc("BagOfTopologyGraphs.update"));
   map.def("erase", &Map::erase, py::arg("id"), Unlocked(), doc("BagOfTopologyGraphs.erase"))
+      .def("set_poses", &set_poses, py::arg("T_world_camera"),
+           "Moves key frames, as a back end does when it has closed a loop: a dict of 4 x 4 poses "
+           "by id; the others stay. All of them, or nothing has changed: raises InvalidId for a "
+           "key frame that is not in the bag, InvalidValue for a pose that is no rigid motion. No "
+           "graph and no index is touched.")
+      .def("merge", &Map::merge, py::arg("other"),
+           py::arg_v("options", topobag::MergeOptions(), "MergeOptions()"), Unlocked(),
+           doc("BagOfTopologyGraphs.merge"))
       .def(
           "query",
           [](const Map& bag, const Graph& graph, const QueryOptions& options) {
@@ -115,9 +128,21 @@ void bind_map(py::module_& module) {
             return bag.view()->within(region);
           },
           py::arg("region"), Unlocked(), doc("BagOfTopologyGraphs.within"))
+      .def(
+          "after", [](const Map& bag, KeyframeId id) { return bag.view()->after(id); },
+          py::arg("id"), Unlocked(), doc("BagReader.after"))
+      .def(
+          "before", [](const Map& bag, KeyframeId id) { return bag.view()->before(id); },
+          py::arg("id"), Unlocked(), doc("BagReader.before"))
       .def_property_readonly(
           "places", [](const Map& bag) { return bag.view()->places(); },
           doc("BagOfTopologyGraphs.places"))
+      .def_property_readonly(
+          "appearance_kind", [](const Map& bag) { return bag.view()->appearance_kind(); },
+          doc("BagOfTopologyGraphs.appearance_kind"))
+      .def_property_readonly(
+          "image_kind", [](const Map& bag) { return bag.view()->image_kind(); },
+          doc("BagOfTopologyGraphs.image_kind"))
       .def(
           "save",
           [](const Map& bag, const std::string& path,
@@ -128,7 +153,7 @@ void bind_map(py::module_& module) {
           "with no other classes, and tells them (`saved_catalog`).")
       .def(
           "__len__", [](const Map& bag) { return bag.view()->size(); }, Unlocked())
-      .def("__iter__", [](const Map& bag) { return py::iter(py::cast(ids_of(bag))); })
+      .def("__iter__", [](const Map& bag) { return py::iter(py::cast(ids_of(*bag.view()))); })
       .def(
           "__contains__",
           [](const Map& bag, KeyframeId id) { return bag.view()->info(id).has_value(); },
@@ -152,9 +177,6 @@ void bind_indexed(py::module_& module) {
             return std::make_shared<IndexedMap>(loaded<Bag>(path, catalog));
           },
           py::arg("path"), py::arg("catalog") = py::none(), Unlocked(), doc("load"))
-      .def("merge", &IndexedMap::merge, py::arg("other"),
-           py::arg_v("options", topobag::MergeOptions(), "MergeOptions()"), Unlocked(),
-           doc("BasicIndexedBag.merge"))
       .def("compact", &IndexedMap::compact, Unlocked(), doc("BasicIndexedBag.compact"))
       .def("search", &IndexedMap::search, py::arg("graph"),
            py::arg_v("options", QueryOptions(), "QueryOptions()"),

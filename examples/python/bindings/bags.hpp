@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include <topobag/bag/snapshot_file.hpp>
 
 #include "locked_map.hpp"
+#include "map_entries.hpp"
 
 namespace python {
 
@@ -48,6 +48,15 @@ class MemoryMapBy : public MemoryMap {
     const WriteLock lock(mutex_);
     return bag_.erase(id);
   }
+  void set_poses(const topobag::CameraPoses& T_world_camera) override {
+    const WriteLock lock(mutex_);
+    bag_.set_poses(T_world_camera);
+  }
+  NewIds merge(const Map& other, const topobag::MergeOptions& options) override {
+    const MapEntries theirs(other);
+    const WriteLock lock(mutex_);
+    return bag_.merge(theirs, options);
+  }
   void save(const std::string& path, const Classes& classes) const override {
     save_view(*view(), path, classes);
   }
@@ -66,11 +75,11 @@ class IndexedMap : public Map {
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info) override;
   void update(KeyframeId id, const Graph& graph, const EntryInfo& info) override;
   bool erase(KeyframeId id) override;
+  void set_poses(const topobag::CameraPoses& T_world_camera) override;
+  NewIds merge(const Map& other, const topobag::MergeOptions& options) override;
   void save(const std::string& path, const Classes& classes) const override;
 
   /// As the bag's own.
-  std::map<KeyframeId, KeyframeId> merge(const IndexedMap& other,
-                                         const topobag::MergeOptions& options);
   void compact();
   topobag::MemoryUsage memory_usage() const { return bag_.memory_usage(); }
   topobag::SearchResult search(const Graph& graph, const topobag::QueryOptions& options,
@@ -93,11 +102,13 @@ class SqliteMap : public Map {
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info) override;
   void update(KeyframeId id, const Graph& graph, const EntryInfo& info) override;
   bool erase(KeyframeId id) override;
+  void set_poses(const topobag::CameraPoses& T_world_camera) override;
+  NewIds merge(const Map& other, const topobag::MergeOptions& options) override;
+  std::vector<topobag::MapSession> sessions() const override;
   void save(const std::string& path, const Classes& classes) const override;
 
   /// As the bag's own.
   std::uint32_t begin_session(const std::string& name);
-  std::vector<topobag::MapSession> sessions() const;
   const std::string& path() const noexcept { return bag_.path(); }
 
  private:

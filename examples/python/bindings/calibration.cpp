@@ -44,7 +44,8 @@ void bind_calibration(py::module_& module) {
       .field("seed", &CalibrateOptions::seed)
       .field("by_pose", &CalibrateOptions::by_pose)
       .field("calibration", &CalibrateOptions::calibration)
-      .field("on_query", &CalibrateOptions::on_query);
+      .field("on_query", &CalibrateOptions::on_query)
+      .field("appearance", &CalibrateOptions::appearance);
   py::class_<Calibration> calibration(module, "Calibration", doc("Calibration"));
   Attributes(calibration, "Calibration")
       .attribute("negatives", &Calibration::negatives)

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <limits>
-
 #include "bags.hpp"
 
 namespace python {
@@ -20,13 +18,12 @@ class IndexedView : public MapView {
     return graph ? std::make_shared<const Graph>(*std::move(graph)) : nullptr;
   }
   std::optional<EntryInfo> info(KeyframeId id) const override { return view_->info(id); }
+  std::optional<KeyframeId> after(KeyframeId id) const override { return view_->after(id); }
+  std::optional<KeyframeId> before(KeyframeId id) const override { return view_->before(id); }
+  topobag::AppearanceKind appearance_kind() const override { return view_->appearance_kind(); }
+  topobag::ImageKind image_kind() const override { return view_->image_kind(); }
   std::vector<KeyframeId> within(const topobag::MapRegion& region) const override {
-    topobag::QueryOptions all;
-    all.max_results = std::numeric_limits<std::size_t>::max();
-    all.among.region = region;
-    std::vector<KeyframeId> ids;
-    for (const auto& candidate : view_->query(Graph(), all)) ids.push_back(candidate.id);
-    return ids;
+    return view_->within(region);
   }
   std::size_t size() const override { return view_->size(); }
   std::size_t places() const override { return view_->places(); }
@@ -60,11 +57,19 @@ bool IndexedMap::erase(KeyframeId id) {
 void IndexedMap::save(const std::string& path, const Classes& classes) const {
   save_view(*view(), path, classes);
 }
-std::map<KeyframeId, KeyframeId> IndexedMap::merge(const IndexedMap& other,
-                                                   const topobag::MergeOptions& options) {
-  const auto theirs = other.bag_.view();
+void IndexedMap::set_poses(const topobag::CameraPoses& T_world_camera) {
   const std::lock_guard<std::mutex> lock(writing_);
-  return bag_.merge(*theirs, options);
+  bag_.set_poses(T_world_camera);
+}
+NewIds IndexedMap::merge(const Map& other, const topobag::MergeOptions& options) {
+  if (const auto* const indexed = dynamic_cast<const IndexedMap*>(&other)) {
+    const auto theirs = indexed->bag_.view();  // no graph is decoded
+    const std::lock_guard<std::mutex> lock(writing_);
+    return bag_.merge(*theirs, options);
+  }
+  const MapEntries theirs(other);
+  const std::lock_guard<std::mutex> lock(writing_);
+  return bag_.merge(theirs, options);
 }
 void IndexedMap::compact() {
   const std::lock_guard<std::mutex> lock(writing_);

@@ -56,6 +56,10 @@ class LockedView : public MapView {
     return {std::shared_ptr<const Graph>(), bag_.peek(id)};  // the bag owns it
   }
   std::optional<EntryInfo> info(KeyframeId id) const override { return bag_.info(id); }
+  std::optional<KeyframeId> after(KeyframeId id) const override { return bag_.after(id); }
+  std::optional<KeyframeId> before(KeyframeId id) const override { return bag_.before(id); }
+  topobag::AppearanceKind appearance_kind() const override { return bag_.appearance_kind(); }
+  topobag::ImageKind image_kind() const override { return bag_.image_kind(); }
   std::vector<KeyframeId> within(const topobag::MapRegion& region) const override {
     return bag_.within(region);
   }

@@ -28,8 +28,9 @@ PYBIND11_MODULE(_topobag, module) {
   python::bind_calibration(module);
   python::bind_recognition(module);
   python::bind_explanation(module);
-  python::bind_learning(module);
   python::bind_relocalizer(module);
+  python::bind_learning(module);
+  python::bind_map_alignment(module);
   python::bind_trajectories(module);
   python::bind_evaluation(module);
   python::bind_tables(module);

@@ -63,12 +63,8 @@ topobag::Calibration calibrated(const Relocalizer& relocalizer,
                                 const std::optional<std::vector<KeyframeId>>& keyframes,
                                 const topobag::OtherPlaces& other_places,
                                 const topobag::CalibrateOptions& options) {
-  std::vector<KeyframeId> ids;
-  if (!keyframes) {
-    relocalizer.map().view()->for_each(
-        [&](KeyframeId id, const EntryInfo&, const Graph&) { ids.push_back(id); });
-  }
-  return topobag::calibrate(relocalizer, keyframes.value_or(ids), other_places, options);
+  return topobag::calibrate(relocalizer, keyframes ? *keyframes : ids_of(*relocalizer.map().view()),
+                            other_places, options);
 }
 
 std::optional<Eigen::Isometry3d> world_pose(const Relocalizer& relocalizer,

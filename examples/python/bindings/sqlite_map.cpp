@@ -18,6 +18,15 @@ bool SqliteMap::erase(KeyframeId id) {
   const WriteLock lock(mutex_);
   return bag_.erase(id);
 }
+void SqliteMap::set_poses(const topobag::CameraPoses& T_world_camera) {
+  const WriteLock lock(mutex_);
+  bag_.set_poses(T_world_camera);
+}
+NewIds SqliteMap::merge(const Map& other, const topobag::MergeOptions& options) {
+  const MapEntries theirs(other);
+  const WriteLock lock(mutex_);
+  return bag_.merge(theirs, options);
+}
 void SqliteMap::save(const std::string& path, const Classes& classes) const {
   save_view(*view(), path, classes);
 }
@@ -26,7 +35,7 @@ std::uint32_t SqliteMap::begin_session(const std::string& name) {
   return bag_.begin_session(name);
 }
 std::vector<topobag::MapSession> SqliteMap::sessions() const {
-  const std::unique_lock<std::shared_mutex> lock(mutex_);  // one statement at a time
+  const WriteLock lock(mutex_);  // one statement at a time
   return bag_.sessions();
 }
 

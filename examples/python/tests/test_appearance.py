@@ -4,7 +4,8 @@
 import numpy as np
 import pytest
 import topobag
-from conftest import random_nodes
+from conftest import pose, random_nodes
+from test_threads import run_all
 
 BOXES = [[4, 4, 60, 44], [70, 10, 120, 90], [500, 500, 600, 600]]
 
@@ -112,6 +113,66 @@ def test_odds_are_learnt_from_matches_and_other_places(random):
     assert topobag.match_graphs(candidate, query, options).poses[0].support > topobag.match_graphs(
         candidate, query, topobag.MatchOptions(chance=topobag.ChanceModel(appearance=topobag.AppearanceModel()))
     ).poses[0].support
+
+
+@pytest.fixture
+def map_with_looks():
+    """Key frames of one room, whose objects have looks of their own, with the truth as poses."""
+    random = np.random.default_rng(11)
+    labels, positions = random.integers(0, 4, 14), random.uniform([-2, -1, 2], [2, 1, 5], (14, 3))
+    sizes, looks = random.uniform(0.1, 0.6, (14, 2)), random.normal(size=(14, 16))
+    relocalizer = topobag.Relocalizer()
+    for i in range(12):
+        T = pose(random.normal(scale=0.1, size=3), random.normal(scale=0.2, size=3))  # world from camera
+        inverse = np.linalg.inv(T)
+        nodes = topobag.Nodes(
+            labels, positions @ inverse[:3, :3].T + inverse[:3, 3], sizes=sizes,
+            appearances=looks + 0.3 * random.normal(size=looks.shape), appearance_kind=topobag.AppearanceKind("own", 16),
+        )  # fmt: skip
+        relocalizer.map.add(i, topobag.TopologyGraph(nodes), stamp=100.0 * i, T_world_camera=T)
+    return relocalizer
+
+
+def test_odds_are_learnt_from_a_map_itself(map_with_looks):
+    kind, calls = topobag.AppearanceKind("own", 16), []
+    counts = topobag.AppearanceCounts(kind)
+    topobag.learn_map_appearance(
+        counts, map_with_looks, options=topobag.MapAppearanceOptions(on_query=lambda: calls.append(1))
+    )
+    pairs = 12 * 11 // 2  # each two key frames count once
+    assert len(calls) == 12 and counts.kind == kind
+    assert counts.same == 14 * pairs and counts.other > 0 and counts.other % pairs == 0
+    model = counts.model(topobag.AppearancePrior(min_pairs=50))
+    assert model.log10_odds(0.95) > 0.5 > -0.3 > model.log10_odds(0.0)
+    options = topobag.CalibrateOptions(null_queries=12, appearance=model)
+    calibration = topobag.calibrate(map_with_looks, options=options)
+    assert calibration.queries >= 12
+    other = topobag.AppearanceCounts()
+    topobag.learn_map_appearance(other, map_with_looks)
+    assert other.same == other.other == 0  # of another kind
+    options.appearance = topobag.AppearanceModel()
+    with pytest.raises(topobag.InvalidValue, match="another kind"):
+        topobag.calibrate(map_with_looks, options=options)
+
+
+def test_what_is_learnt_adds_up(map_with_looks, random):
+    kind = topobag.AppearanceKind("own", 16)
+    some, all_twice = topobag.AppearanceCounts(kind), topobag.AppearanceCounts(kind)
+    topobag.learn_map_appearance(some, map_with_looks, [0, 1, 2, 99])
+    assert 0 < some.same < 14 * 66
+    works = [lambda: topobag.learn_map_appearance(all_twice, map_with_looks)] * 2
+    run_all(*works)
+    assert all_twice.same == 2 * 14 * 66
+    nodes = map_with_looks.map[3].nodes
+    elsewhere = topobag.TopologyGraph(
+        topobag.Nodes(nodes.labels, nodes.positions, appearances=random.normal(size=(14, 16)), appearance_kind=kind)
+    )
+    before = some.other
+    topobag.learn_elsewhere_appearance(some, map_with_looks, elsewhere)
+    expected = topobag.AppearanceCounts(kind)
+    for i in map_with_looks.map:
+        topobag.learn_other_appearance(expected, map_with_looks.map[i], elsewhere)
+    assert some.other - before == expected.other > 0
 
 
 def test_why_is_one_line(sample, relocalizer):

@@ -31,6 +31,8 @@ def test_a_bag_is_a_container(bag, random):
     bag.update(13, random_graph(random, 3), label="kitchen")
     assert len(bag[13]) == 3 and bag.info(13).label == "kitchen" and bag.info(13).stamp is None
     assert "4 key frames" in repr(bag)
+    assert (bag.after(10), bag.after(11), bag.after(14)) == (11, 13, None)
+    assert (bag.before(13), bag.before(99), bag.before(10)) == (11, 14, None)
 
 
 def test_a_query_is_the_similarity_sorted(random):
@@ -116,6 +118,15 @@ def test_a_snapshot_comes_back(bag, random, tmp_path):
     (tmp_path / "broken.bag").write_bytes(content)
     with pytest.raises(topobag.FormatError, match="broken.bag"):
         topobag.BagOfTopologyGraphs.load(str(tmp_path / "broken.bag"))
+
+
+def test_a_bag_tells_the_kinds_of_its_descriptors(bag, random):
+    assert bag.appearance_kind.length == 0 and bag.image_kind.length == 0
+    kind, graph = topobag.AppearanceKind("own", 4), random_graph(random, 3)
+    nodes = topobag.Nodes(graph.labels, graph.positions, appearances=np.eye(3, 4), appearance_kind=kind)
+    image = topobag.ImageDescriptor([1.0, 2.0, 3.0], "mine")
+    bag.add(1, topobag.TopologyGraph(nodes), image=image)
+    assert bag.appearance_kind == kind and bag.image_kind == image.kind
 
 
 @pytest.mark.parametrize("kind", ["BagOfTopologyGraphs", "IndexedBag"])

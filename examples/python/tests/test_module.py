@@ -39,7 +39,7 @@ def test_what_the_headers_say_is_what_python_says():
 
 #: Those that hold a catalog, groups or weights of classes, which do not pickle.
 HOLD_CLASSES = {
-    "AffinityCosine", "ChangeOptions", "ClassHistogram", "ClassPairDistanceHistogram", "ConsistencyOptions",
+    "AffinityCosine", "AlignOptions", "ChangeOptions", "ClassHistogram", "ClassPairDistanceHistogram", "ConsistencyOptions",
     "DescribedCatalog", "LabelWalks", "LoopOptions", "MatchOptions", "RecognitionOptions", "SurroundingLabels",
 }  # fmt: skip
 

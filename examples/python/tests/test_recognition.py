@@ -45,6 +45,20 @@ def test_the_indexed_bag_finds_the_same(sample, relocalizer):
         ]
 
 
+@pytest.mark.parametrize("kind", ["BagOfTopologyGraphs", "IndexedBag"])
+def test_without_poses_gaps_between_ids_change_nothing(sample, kind):
+    options = topobag.recognition_options(topobag.ClassCatalog.coco80())
+    answers = []
+    for step in (1, 1000):
+        bag = getattr(topobag, kind)()
+        for i, keyframe in enumerate(sample[0]):
+            bag.add(step * i, keyframe.graph, stamp=keyframe.stamp)
+        found = [topobag.Relocalizer(options, bag).localize(query.graph) for query in sample[1][::4]]
+        answers.append([[(c.id // step, c.verdict, c.score) for c in r.candidates] for r in found])
+    assert answers[0] == answers[1]
+    assert any(verdict == topobag.Verdict.accepted for found in answers[0] for _, verdict, _ in found)
+
+
 def test_reasons_are_given(sample, relocalizer, found):
     i = next(i for i, recognition in enumerate(found) if recognition)
     reasons = topobag.explain(found[i], relocalizer.map, sample[1][i].graph, options=relocalizer.options)
@@ -149,7 +163,7 @@ def test_matches_that_agree_add_up(sample, relocalizer, found):
 
 def test_the_readme_s_five_lines(sample):
     nodes = sample[0][5].graph.nodes
-    relocalizer = topobag.Relocalizer()
+    relocalizer = topobag.Relocalizer(topobag.recognition_options(topobag.ClassCatalog.coco80()))
     relocalizer.map.add(7, topobag.TopologyGraph(nodes, topobag.DelaunayEdges2()))
     found = relocalizer.localize(topobag.TopologyGraph(nodes, topobag.DelaunayEdges2()))
     np.testing.assert_allclose(found.candidates[0].pose.T_candidate_query, np.eye(4), atol=1e-6)

@@ -24,6 +24,7 @@
 #include <topobag/adaptors/fleet/fleet_view.hpp>
 #include <topobag/adaptors/fleet/push.hpp>
 #include <topobag/adaptors/postgres.hpp>
+#include <topobag/bag/bag_reader.hpp>
 #include <topobag/bag/described_catalog.hpp>
 #include <topobag/bag/graph_codec.hpp>
 #include <topobag/bag/indexed_bag.hpp>
@@ -41,8 +42,9 @@ inline namespace v0 {
 ///     const auto now = fleet.view();                    // any thread, at any time
 ///     for (const Candidate& c : now->query(graph)) tell(now->key(c.id), c.similarity);
 ///
-/// One thread at a time may call what is not const. `Relocalizer<FleetBag>` localizes in it.
-class FleetBag {
+/// One thread at a time may call what is not const; the const calls ask the view of now.
+/// `Relocalizer<FleetBag>` localizes in it.
+class FleetBag : public BagReader<FleetBag, FleetView> {
  public:
   using Graph = FleetView::Graph;
 
@@ -116,10 +118,6 @@ class FleetBag {
     const std::lock_guard<std::mutex> lock(shown_->mutex);
     return std::make_shared<const FleetView>(std::move(bag), shown_->sessions);
   }
-
-  std::size_t size() const { return bag_.size(); }
-  /// As `FleetView::info`, of now.
-  std::optional<EntryInfo> info(KeyframeId id) const { return bag_.info(id); }
 
   /// Why versions could not be taken, a sentence each. They harm no others, and a later version of
   /// their key frame replaces them; until then the one before stands.

@@ -37,8 +37,8 @@ inline namespace v0 {
 /// query.
 ///
 /// A query compares every entry; a similarity with a `descriptor` has it worked out once, at `add`,
-/// and one that is a `jaccard` (`is_jaccard_v`) costs no more than what entries have in common with
-/// the query. Results do not depend on the order in which entries came.
+/// and a `jaccard` (`is_jaccard_v`) costs no more than what entries share with the query. The order
+/// of adding changes no result. Graphs stay as they are given; files round them (`encode`).
 template <typename Graph_ = TopologyGraph<double>,
           typename Similarity_ = ClassPairDistanceHistogram>
 class BagOfTopologyGraphs {

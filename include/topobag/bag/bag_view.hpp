@@ -62,9 +62,14 @@ class BasicBagView {
     return parts_.info(*place);
   }
 
-  /// The id next to this one, which need not be there itself; nothing at the end. O(log n).
+  /// The least id above this one, which need not be there itself; nothing at the end. O(log n).
   std::optional<KeyframeId> after(KeyframeId id) const { return parts_.next_id(id, true); }
+  /// The greatest id below this one, likewise. O(log n).
   std::optional<KeyframeId> before(KeyframeId id) const { return parts_.next_id(id, false); }
+
+  /// The key frames whose cameras stand in the region, by rising id; without a pose they are
+  /// nowhere. O(entries of the segments whose cameras are about it).
+  std::vector<KeyframeId> within(const MapRegion& region) const { return parts_.within(region); }
 
   /// The entries most similar to `graph`, best first, ties by id: the same ids and similarities, to
   /// the last bit, as comparing it with every stored graph. Throws as `ImageComparison::validate`.
@@ -145,6 +150,10 @@ class BasicBagView {
 
 /// The view of an `IndexedBag`.
 using BagView = BasicBagView<>;
+
+#ifdef TOPOBAG_COMPILED  // in the library topobag::compiled
+extern template class BasicBagView<ClassPairDistanceHistogram>;
+#endif
 
 }  // namespace v0
 }  // namespace topobag

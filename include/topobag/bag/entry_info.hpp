@@ -19,7 +19,7 @@ inline namespace v0 {
 ///
 /// The poses of a bag are of one world: they are compared with each other, whatever the sessions
 /// and labels. Entries of another world come in by `MergeOptions::T_world_other`; where that is not
-/// known, without a pose, or moved as a whole to where none of the others' reaches (`HostWorlds`).
+/// known, without a pose, or moved as a whole to where none of the other worlds is (`HostWorlds`).
 struct EntryInfo {
   std::optional<double> stamp;                      ///< s
   std::uint32_t session = 0;                        ///< which run of the robot

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <topobag/bag/bag_concepts.hpp>
+#include <topobag/bag/bag_reader.hpp>
 #include <topobag/bag/bag_view.hpp>
 #include <topobag/bag/camera_poses.hpp>
 #include <topobag/bag/detail/index/encoded_entry.hpp>
@@ -34,10 +35,10 @@ inline namespace v0 {
 /// neighbours in the order of adding are alike, as key frames of a drive are.
 ///
 /// One thread at a time may call what is not const; any number may take a `view()` meanwhile, and
-/// read it as long as they like. The const calls below ask such a view. After a call has thrown,
-/// the bag is as it was.
+/// read it as long as they like. The const calls ask such a view. After a call has thrown, the bag
+/// is as it was.
 template <typename Similarity_ = ClassPairDistanceHistogram>
-class BasicIndexedBag {
+class BasicIndexedBag : public BagReader<BasicIndexedBag<Similarity_>, BasicBagView<Similarity_>> {
  public:
   using Similarity = Similarity_;
   using View = BasicBagView<Similarity>;
@@ -75,7 +76,7 @@ class BasicIndexedBag {
   /// as `EntryInfo::validate` and `require_savable`, and for descriptors, of objects or of the
   /// image, of another kind than the bag's. O(n² + log n) for n nodes, amortised.
   void add(KeyframeId id, const Graph& graph, const EntryInfo& info = {}) {
-    if (contains(id)) {
+    if (this->contains(id)) {
       throw InvalidId("key frame " + std::to_string(value(id)) +
                       " is in the bag already: use update");
     }
@@ -181,32 +182,6 @@ class BasicIndexedBag {
     next.kinds = old.kinds;
     publish(std::move(next));
   }
-
-  std::size_t size() const { return view()->size(); }
-  bool empty() const { return view()->empty(); }
-  /// Different places among the entries. O(1).
-  std::size_t places() const { return view()->places(); }
-  /// The most of them that can hold all of `objects`. O(classes²).
-  std::size_t places_holding(const ClassCounts& objects, const ClassGroups& groups = {}) const {
-    return view()->places_holding(objects, groups);
-  }
-  /// The one kind of the descriptors that were added; of length 0 where none was.
-  AppearanceKind appearance_kind() const { return view()->appearance_kind(); }
-  /// The same of the whole images' descriptors.
-  ImageKind image_kind() const { return view()->image_kind(); }
-  bool contains(KeyframeId id) const { return view()->contains(id); }
-  std::optional<Graph> find(KeyframeId id) const { return view()->find(id); }
-  std::optional<EntryInfo> info(KeyframeId id) const { return view()->info(id); }
-  std::optional<KeyframeId> after(KeyframeId id) const { return view()->after(id); }
-  std::optional<KeyframeId> before(KeyframeId id) const { return view()->before(id); }
-  std::vector<Candidate> query(const Graph& graph, const QueryOptions& options = {}) const {
-    return view()->query(graph, options);
-  }
-  template <typename Visit>
-  void for_each(const Visit& visit) const {
-    view()->for_each(visit);
-  }
-  MemoryUsage memory_usage() const { return view()->memory_usage(); }
 
  private:
   /// For the writer, who alone replaces the view.

@@ -47,7 +47,7 @@ struct QueryOptions {
   std::size_t max_results = 10;  ///< the best so many
   double min_similarity = 0.0;   ///< similarity below which an entry is no candidate
   ExcludedNeighbors exclude{};   ///< key frames of the present visit
-  EntryFilter among{};           ///< by id, time, session, label and place
+  EntryFilter among{};           ///< by id, time, session, label and region
   ImageComparison image{};       ///< how like the whole images are, as a gate or in the similarity
   std::function<bool(KeyframeId, const EntryInfo&)>
       filter{};  ///< when set, only entries it returns true for

@@ -23,8 +23,7 @@ inline namespace v0 {
 
 /// What a saved bag says of itself before its entries.
 struct SnapshotHeader {
-  /// Of the format that this library writes.
-  static constexpr std::uint32_t latest_version = 2;  ///< that this library writes
+  static constexpr std::uint32_t latest_version = 2;  ///< of the format that this library writes
 
   std::uint32_t format_version = 1;  ///< of the file: the least that holds its entries
   /// Of the topobag that wrote it: major · 65536 + minor · 256 + patch.

@@ -5,6 +5,7 @@
 namespace topobag {
 inline namespace v0 {
 
+template class BasicBagView<ClassPairDistanceHistogram>;
 template class BasicIndexedBag<ClassPairDistanceHistogram>;
 
 }  // namespace v0

@@ -40,6 +40,23 @@ class AppearanceCounts {
   /// Counts two objects of a class. O(1).
   void add_other(const Appearance& a, const Appearance& b) { add(other_, other_total_, a, b); }
 
+  /// Takes in what was counted elsewhere. Throws InvalidValue for counts of descriptors of another
+  /// kind. O(bins).
+  AppearanceCounts& operator+=(const AppearanceCounts& other) {
+    if (other.kind_ != kind_) {
+      throw InvalidValue("counts of two kinds of descriptors do not add up");
+    }
+    for (std::size_t i = 0; i < bins; ++i) {
+      same_[i] += other.same_[i];
+      other_[i] += other.other_[i];
+    }
+    same_total_ += other.same_total_;
+    other_total_ += other.other_total_;
+    return *this;
+  }
+
+  /// The descriptors that count.
+  const AppearanceKind& kind() const noexcept { return kind_; }
   /// Pairs of one object that were counted.
   std::size_t same() const noexcept { return same_total_; }
   /// Pairs of two objects that were counted.

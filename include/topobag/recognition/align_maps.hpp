@@ -137,8 +137,8 @@ void align_by_votes(const View& a, const std::vector<Eigen::Isometry3d>& cameras
 ///     if (const MapAlignment alignment = align_maps(a, b)) {
 ///       a.merge(b, alignment.merge_options(next_session));
 ///     }
-/// @param a  a bag to query
-/// @param b  a bag with `for_each`
+/// @param a  a bag to query, with `for_each`; or one whose `view()` has both
+/// @param b  a bag with `for_each` and `find`
 template <typename A, typename B>
 MapAlignment align_maps(const A& a, const B& b, const AlignOptions& options = {}) {
   using Graph = typename A::Graph;

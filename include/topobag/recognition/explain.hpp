@@ -178,8 +178,8 @@ extern template CandidateExplanation explain_candidate(
 ///                 nodes than its report speaks of, is passed over
 /// @param query    the graph that was looked up
 /// @param options  those of the query
-/// @param max_candidates  that are told of, in the order of the recognition's: an accepted one is
-///                        among the first, whose places were asked
+/// @param max_candidates  that are told of, in the recognition's order: an accepted one is among
+///                        the first, whose places were asked
 /// O(candidates · n · k).
 template <typename Bag>
 Explanation explain(const Recognition& recognition, const Bag& bag,

@@ -24,7 +24,9 @@ struct LoopOptions {
 /// Recognises earlier places while a map grows, which is its own, or one that it refers to.
 ///
 ///     SqliteBag<> map("flat.db");
-///     LoopDetector loops(map);  // or LoopDetector<> loops; with a map of its own
+///     LoopOptions options;  // the classes' options: without, it knows nothing of them
+///     options.recognition = recognition_options(ClassCatalog::coco80());
+///     LoopDetector loops(map, options);  // or LoopDetector<> loops(options): a map of its own
 ///     for (each key frame) {
 ///       const Recognition loop = loops.detect_and_add(id, stamp, graph);
 ///       if (loop) close(id, loop);

@@ -20,8 +20,8 @@ struct PlaceOptions {
   /// m; two camera poses in the world further apart, or turned by more, are elsewhere.
   double distinct_translation = default_sensor.place_resolution;
   double distinct_rotation = rotation_resolution;  ///< rad
-  std::uint64_t min_id_gap = 30;   ///< without poses, and where no objects tell either: so many
-                                   ///< key frames of one session further is elsewhere
+  std::uint64_t min_id_gap = 30;   ///< without poses, and where no objects tell either: key frames
+                                   ///< of one session that are so many apart are elsewhere
   std::size_t max_followed = 400;  ///< without poses: steps from key frame to key frame that are
                                    ///< followed in one query to tell where they stand
 

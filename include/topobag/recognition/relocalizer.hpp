@@ -22,13 +22,17 @@ inline namespace v0 {
 /// Finds a lost camera in a map, which is its own, or one that it refers to. With an `IndexedBag`,
 /// one thread may add to the map while others localize.
 ///
-///     Relocalizer<> relocalizer;  // with a map of its own
+///     const ClassCatalog catalog = ClassCatalog::coco80();
+///     Relocalizer<> relocalizer(recognition_options(catalog));  // with a map of its own
 ///     for (each key frame) relocalizer.map().add(id, graph, info);
 ///     const Recognition found = relocalizer.localize(query_graph);
 ///     if (found) use(found.accepted->pose->T_candidate_query);
 ///
 ///     SqliteBag<> map("flat.db");
 ///     Relocalizer lost(map);  // refers to a map that has to outlive it
+///
+/// Without options it knows nothing of the classes: neither which of them detectors mix up nor how
+/// large their objects are.
 ///
 /// @tparam Bag_  a bag; with `&`, one that lives elsewhere: then a copy refers to the same
 template <typename Bag_ = BagOfTopologyGraphs<>>

@@ -8,10 +8,10 @@ inline namespace v0 {
 
 /// How far a candidate came. Later values passed the earlier stages.
 enum class Verdict {
-  no_agreement,  ///< no three objects of the same classes lie alike
+  no_agreement,   ///< too few objects of the same classes lie alike to give a pose
   insignificant,  ///< such a match would come about by chance too often, or too much is missing
-  degenerate,     ///< the place alone: its own graph says so, and the matched objects leave the
-                  ///< pose open, nearly on a line or too close together
+  degenerate,     ///< the place is recognised and its pose is not: the matched objects lie nearly
+                  ///< on a line, or too close together
   ambiguous,      ///< another pose in the same candidate fits about as well
   rivalled,       ///< another place of the map fits about as well
   not_best,       ///< good enough, but another candidate, of its place or another, is better

@@ -41,7 +41,7 @@ struct BoundingBox {
     return pixel.x() >= x1 && pixel.x() <= x2 && pixel.y() >= y1 && pixel.y() <= y2;
   }
 
-  /// The part inside a `width` × `height` image; not valid when nothing is left.
+  /// The part inside an image of so many pixels; not valid when nothing is left.
   BoundingBox clipped(double image_width, double image_height) const noexcept {
     return {std::max(x1, -0.5), std::max(y1, -0.5), std::min(x2, image_width - 0.5),
             std::min(y2, image_height - 0.5)};

@@ -31,12 +31,12 @@ inline void require_seconds(double stamp) {
                      " is no time in seconds; is it in " + unit);
 }
 
-/// From one frame of a recording to the next, in the middle of all, s: no camera waits longer.
+/// From one frame of a recording to the next, in the median, s: no camera waits longer.
 inline constexpr double longest_middle_step = 3600.0;
 /// From the first frame of a recording to its last, s: ten years.
 inline constexpr double longest_recording = 10.0 * 365.25 * 86400.0;
 
-/// The middle one of the steps between stamps in the order of time, s; the upper one of two.
+/// The median of the steps between stamps in the order of time, s; of two the longer one.
 /// Nothing without two stamps. O(n).
 /// @param frames    a range in that order
 /// @param stamp_of  the stamp of one of them, s

@@ -6,6 +6,7 @@
 #include <topobag/adaptors/fleet/fleet_view.hpp>
 #include <topobag/bag/bag_concepts.hpp>
 
+#include "bag/reading_calls.hpp"
 #include "catch.hpp"
 #include "random_graphs.hpp"
 
@@ -40,5 +41,6 @@ TEST_CASE("ties go by key, whatever the order of arrival", "[fleet]") {
   CHECK(keys.front().site == "hall");
   CHECK(keys.back().site == "yard");
   CHECK(view.image_kind() == bag.image_kind());
+  CHECK(missing_calls_of<FleetView>() == "");
   CHECK_THROWS_AS(view.key(KeyframeId{2ULL << 32}), InvalidId);
 }

@@ -45,11 +45,14 @@ class FleetView {
       : bag_(std::move(bag)), sessions_(std::move(sessions)) {}
 
   std::size_t size() const noexcept { return bag_->size(); }
+  bool empty() const noexcept { return bag_->empty(); }
   bool contains(KeyframeId id) const { return bag_->contains(id); }
   std::optional<Graph> find(KeyframeId id) const { return bag_->find(id); }
   std::optional<EntryInfo> info(KeyframeId id) const { return bag_->info(id); }
   std::optional<KeyframeId> after(KeyframeId id) const { return bag_->after(id); }
   std::optional<KeyframeId> before(KeyframeId id) const { return bag_->before(id); }
+  /// As `BagView::within`; sites that share coordinates are not told apart.
+  std::vector<KeyframeId> within(const MapRegion& region) const { return bag_->within(region); }
   /// As `BagView` counts them; frames of sites that share coordinates count as one place.
   std::size_t places() const noexcept { return bag_->places(); }
   /// As `BagView::places_holding`.

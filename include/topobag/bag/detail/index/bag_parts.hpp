@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include <topobag/bag/detail/index/segment.hpp>
 #include <topobag/bag/detail/index/segment_infos.hpp>
 #include <topobag/bag/detail/storage/descriptor_kinds.hpp>
+#include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/place_contents.hpp>
 #include <topobag/types/image_descriptor.hpp>
 
@@ -97,6 +99,26 @@ struct BagParts {
       if (!dead_in_head[slot]) offer((*head)[slot].id);
     }
     return next;
+  }
+
+  /// The ids of the entries whose cameras stand in the region, ascending.
+  std::vector<KeyframeId> within(const MapRegion& region) const {
+    std::vector<KeyframeId> found;
+    for (const SealedPart& part : *sealed) {
+      if (!part.infos->range().may_touch(region)) continue;
+      for (std::size_t slot = 0; slot < part.segment->size(); ++slot) {
+        if (part.infos->stands_in(slot, region) && part.is_live(slot)) {
+          found.push_back(part.segment->id(slot));
+        }
+      }
+    }
+    for (std::size_t slot = 0; slot < head_size; ++slot) {
+      const auto& T_world_camera = (*head)[slot].info.T_world_camera;
+      if (dead_in_head[slot] || !T_world_camera) continue;
+      if (region.contains(T_world_camera->translation())) found.push_back((*head)[slot].id);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
   StoredEntry entry(EntryPlace place) const {

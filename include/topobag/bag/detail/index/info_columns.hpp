@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include <topobag/bag/entry_filter.hpp>
 #include <topobag/bag/entry_info.hpp>
 
 namespace topobag {
@@ -51,6 +52,12 @@ class InfoColumns {
   const ImageDescriptor& image(std::size_t i) const {
     static const ImageDescriptor unknown;
     return images_.empty() ? unknown : images_[i];
+  }
+
+  /// Whether the entry has a pose, and its camera stands in the region.
+  bool stands_in(std::size_t i, const MapRegion& region) const {
+    if (poses_.empty() || !(poses_[i][0] < absent)) return false;
+    return region.contains(Eigen::Vector3d(poses_[i][0], poses_[i][1], poses_[i][2]));
   }
 
   /// Moves one entry.

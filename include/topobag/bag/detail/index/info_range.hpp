@@ -46,17 +46,18 @@ class InfoRange {
     return !filter.region || may_touch(*filter.region);
   }
 
+  /// False when no camera stands in the region for certain.
+  bool may_touch(const MapRegion& region) const {
+    if (cameras_.isEmpty()) return false;
+    const Eigen::Vector3d nearest = region.center.cwiseMax(cameras_.min()).cwiseMin(cameras_.max());
+    return region.contains(nearest);
+  }
+
  private:
   /// Whether all entries belong to the visit.
   bool all_in(const PresentVisit& visit) const {
     return least_session_ == visit.session && greatest_session_ == visit.session &&
            least_stamp_ > visit.since;
-  }
-
-  bool may_touch(const MapRegion& region) const {
-    if (cameras_.isEmpty()) return false;
-    const Eigen::Vector3d nearest = region.center.cwiseMax(cameras_.min()).cwiseMin(cameras_.max());
-    return region.contains(nearest);
   }
 
   KeyframeId least_id_{std::numeric_limits<std::uint64_t>::max()}, greatest_id_{0};

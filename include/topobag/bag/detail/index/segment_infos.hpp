@@ -8,6 +8,7 @@
 
 #include <topobag/bag/detail/index/info_columns.hpp>
 #include <topobag/bag/detail/index/info_range.hpp>
+#include <topobag/bag/entry_filter.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -25,6 +26,10 @@ class SegmentInfos {
 
   EntryInfo operator[](std::size_t slot) const { return columns_[slot]; }
   const ImageDescriptor& image(std::size_t slot) const { return columns_.image(slot); }
+  /// Whether the entry has a pose, and its camera stands in the region.
+  bool stands_in(std::size_t slot, const MapRegion& region) const {
+    return columns_.stands_in(slot, region);
+  }
   const InfoRange& range() const noexcept { return range_; }  ///< of all ids and infos
   std::size_t bytes() const noexcept { return columns_.bytes() + sizeof(*this); }
   void shrink_to_fit() { columns_.shrink_to_fit(); }
