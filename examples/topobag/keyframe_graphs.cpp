@@ -183,14 +183,14 @@ std::vector<Keyframe> read_keyframes(const std::string& set, const KeyframeOptio
     throw InputError(poses, invalid.what());
   }
   if (options.matchable) require_usable(set, table, keyframes, options);
-  const std::string idle = idle_window_text(table.frames, options.window);
+  const std::string window = odd_window_text(table.frames, options.window);
   const std::string same = same_poses_text(table.frames, options);
   const std::string doubt =
       options.metric && !options.clusters
           ? size_doubt_text(table.frames, options.camera, options.classes.catalog,
                             options.min_confidence, "are z in metres")
           : "";
-  for (const std::string& note : {idle, same, doubt}) {
+  for (const std::string& note : {window, same, doubt}) {
     if (!note.empty()) std::cerr << "topobag: " << set << ": " << note << '\n';
   }
   return keyframes;

@@ -31,17 +31,25 @@ inline std::string milliseconds_question(double step) {
   return step >= longest ? ": are the stamps in milliseconds?" : "";
 }
 
-/// That a window fuses no frame with another, in a sentence without its full stop; empty where it
-/// does, or fuses none on purpose.
+/// That a window fuses no frame with another, or minutes of all that was recorded, in a sentence
+/// without its full stop; empty where it is as windows are, or fuses none on purpose.
 /// @param frames  of a table, by time, each with its `timestamp`, s
 /// @param window  s
 template <typename Frame>
-std::string idle_window_text(const std::vector<Frame>& frames, double window) {
+std::string odd_window_text(const std::vector<Frame>& frames, double window) {
   const std::optional<double> step =
       topobag::middle_step(frames, [](const Frame& frame) { return frame.timestamp; });
-  if (!step || window <= 0.0 || *step <= window) return "";
+  if (!step || window <= 0.0) return "";
   std::ostringstream text;
-  text.precision(3);
+  text.precision(4);
+  const double longest = 60.0;  // s; some twenty times what is of use
+  const double recorded = frames.back().timestamp - frames.front().timestamp;
+  if (window > longest && window >= recorded) {
+    text << "a window of " << window << " s fuses all " << recorded
+         << " s of the recording in one graph: is it in milliseconds?";
+    return text.str();
+  }
+  if (*step <= window) return "";
   text << "frames are " << *step << " s apart in the median, a window of " << window
        << " s fuses nothing" << milliseconds_question(*step);
   return text.str();

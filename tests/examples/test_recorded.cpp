@@ -33,12 +33,12 @@ std::string restamped_sample(const ScratchFolder& folder, const std::string& nam
   return folder.path(name);
 }
 
-std::string idle_text(double step, double window) {
+std::string window_text(double step, double window) {
   std::vector<program::Keyframe> keyframes(10);
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     keyframes[i].timestamp = step * static_cast<double>(i);
   }
-  return program::idle_window_text(keyframes, window);
+  return program::odd_window_text(keyframes, window);
 }
 
 }  // namespace
@@ -74,7 +74,18 @@ TEST_CASE("a window that fuses nothing is told, in milliseconds with what may be
   CHECK(scored.exit_code == 0);
   CHECK(scored.err.find("and one counts for --max-pose-interval 1 s: are the stamps in "
                         "milliseconds?\n") != std::string::npos);
-  CHECK(idle_text(0.4, 3.0).empty());
-  CHECK(idle_text(33.3, 0.0).empty());
-  CHECK(idle_text(4.0, 3.0) == "frames are 4 s apart in the median, a window of 3 s fuses nothing");
+  CHECK(window_text(0.4, 3.0).empty());
+  CHECK(window_text(33.3, 0.0).empty());
+  CHECK(window_text(4.0, 3.0) == "frames are 4 s apart in the median, a window of 3 s fuses nothing");
+}
+
+TEST_CASE("a window that fuses all of a recording is told, where it is minutes long",
+          "[examples][regression]") {
+  CHECK(window_text(0.4, 3000.0) ==
+        "a window of 3000 s fuses all 3.6 s of the recording in one graph: is it in "
+        "milliseconds?");
+  CHECK(window_text(0.4, 5.0).empty());  // a short recording, fused whole on purpose
+  CHECK(window_text(20.0, 90.0).empty());
+  CHECK(window_text(10.0, 90.0) ==
+        "a window of 90 s fuses all 90 s of the recording in one graph: is it in milliseconds?");
 }
