@@ -76,7 +76,8 @@ TEST_CASE("a window that fuses nothing is told, in milliseconds with what may be
                         "milliseconds?\n") != std::string::npos);
   CHECK(window_text(0.4, 3.0).empty());
   CHECK(window_text(33.3, 0.0).empty());
-  CHECK(window_text(4.0, 3.0) == "frames are 4 s apart in the median, a window of 3 s fuses nothing");
+  CHECK(window_text(4.0, 3.0) ==
+        "frames are 4 s apart in the median, a window of 3 s fuses nothing");
 }
 
 TEST_CASE("a window that fuses all of a recording is told, where it is minutes long",
