@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/graph/local_graph.hpp>
+#include <topobag/graph/sight_keyframe.hpp>
 #include <topobag/recognition/loop_detector.hpp>
 #include <topobag/sensing/dynamic_feature_mask.hpp>
 #include <topobag/sensing/range_detections.hpp>

@@ -81,8 +81,7 @@ TEST_CASE("conditions that are none are refused with their line", "[recognition]
     other.replace(other.find(from), from.size(), to);
     return error_text([&] { parse_calibration(other); });
   };
-  CHECK(refused_with("conditions 2", "conditions 1").find("'end' is missing") !=
-        std::string::npos);
+  CHECK(refused_with("conditions 2", "conditions 1").find("'end' is missing") != std::string::npos);
   CHECK(refused_with("conditions 2", "conditions two").find("not a number") != std::string::npos);
   CHECK(refused_with("window 3", "window").find("'window' must be a line of text") !=
         std::string::npos);

@@ -119,8 +119,8 @@ inline AppearanceModel read_appearance(ValueLines& lines, std::size_t version) {
 
 /// A calibration as text, a value on each line: its version, the least that holds it, what it goes
 /// by, its options, the queries and their scores, and, where they are known, the places that were
-/// asked, under which conditions, and what looks say. `parse_calibration` turns it back into the same one, to the last bit;
-/// no locale has a say. O(n).
+/// asked, under which conditions, and what looks say. `parse_calibration` turns it back into the
+/// same one, to the last bit; no locale has a say. O(n).
 inline std::string to_string(const Calibration& calibration) {
   const CalibrationOptions& options = calibration.options();
   const std::size_t version = detail::least_calibration_version(calibration);
