@@ -136,4 +136,11 @@ inline void report_offers(const std::string& what, const std::vector<OfferedLoop
   out << ", wrong by the truth: " << wrong << '\n';
 }
 
+/// For how many key frames the bag has merge candidates beside the host's own.
+inline void report_merges(const MergeQueries& queries, std::ostream& out = std::cout) {
+  out << "key frames asked for merges: " << queries.asked
+      << "; with candidates of the host: " << queries.of_host << ", of the bag: " << queries.of_bag
+      << ", of both: " << queries.of_both << '\n';
+}
+
 }  // namespace semantic

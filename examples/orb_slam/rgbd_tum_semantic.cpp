@@ -105,6 +105,7 @@ class Run {
       if constexpr (topobag::has_maps_v<host::KeyFrame>) {
         report_offers("merge", semantic_->offered_merges(), truth, alignment_.scale,
                       arguments_.out + "/merges.csv");
+        report_merges(semantic_->merge_queries());
         std::cout << "merges begun from object poses: " << semantic_->merges_begun() << '\n';
       }
     }

@@ -106,6 +106,7 @@ void SemanticSlam::MergeCandidates(KeyFrame* key_frame, std::vector<KeyFrame*>& 
   if constexpr (topobag::has_maps_v<KeyFrame>) {
     const Stopwatch watch;
     merges_ = database_.merge_places(key_frame);
+    records_.asked_for_merges(!candidates.empty(), !merges_.empty());
     candidates = topobag::merge_candidates(merges_, candidates);
     records_.took("loop closing: query other maps", watch.milliseconds());
     records_.offered_for_merges(offers(*key_frame, merges_));

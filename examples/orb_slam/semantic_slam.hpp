@@ -110,6 +110,7 @@ class SemanticSlam final : public topobag_hooks::SemanticObserver<host::KeyFrame
   std::vector<OfferedLoop> offered_loops() const { return records_.loops(); }
   /// The same for the host's other maps.
   std::vector<OfferedLoop> offered_merges() const { return records_.merges(); }
+  MergeQueries merge_queries() const { return records_.merge_queries(); }
   std::vector<OfferedPlaces> offered_places() const { return records_.places(); }
   std::size_t merges_begun() const { return merges_begun_; }  ///< from object poses
 

@@ -19,6 +19,14 @@ struct OfferedLoop {
   Eigen::Isometry3d T_candidate_query = Eigen::Isometry3d::Identity();
 };
 
+/// For how many key frames there were merge candidates: the host's own, ours, and either's of one.
+struct MergeQueries {
+  std::size_t asked = 0;
+  std::size_t of_host = 0;
+  std::size_t of_bag = 0;
+  std::size_t of_both = 0;
+};
+
 /// What the lost tracker was offered for one frame.
 struct OfferedPlaces {
   double stamp = 0.0;  ///< s
@@ -46,6 +54,14 @@ class SlamRecords {
   }
   void offered_for_loops(const Loops& loops) { add(loops, loops_); }
   void offered_for_merges(const Loops& loops) { add(loops, merges_); }
+  /// What a key frame's query for merges came to.
+  void asked_for_merges(bool host_has_some, bool bag_has_some) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++merge_queries_.asked;
+    merge_queries_.of_host += host_has_some ? 1U : 0U;
+    merge_queries_.of_bag += bag_has_some ? 1U : 0U;
+    merge_queries_.of_both += host_has_some && bag_has_some ? 1U : 0U;
+  }
   void offered(const OfferedPlaces& places) {
     const std::lock_guard<std::mutex> lock(mutex_);
     places_.push_back(places);
@@ -60,6 +76,7 @@ class SlamRecords {
   std::map<std::string, std::size_t> lost_key_frames() const { return copy_of(lost_key_frames_); }
   Loops loops() const { return copy_of(loops_); }
   Loops merges() const { return copy_of(merges_); }
+  MergeQueries merge_queries() const { return copy_of(merge_queries_); }
   std::vector<OfferedPlaces> places() const { return copy_of(places_); }
 
  private:
@@ -77,6 +94,7 @@ class SlamRecords {
   Times times_;
   std::map<std::string, std::size_t> lost_key_frames_;  ///< by the reason
   Loops loops_, merges_;
+  MergeQueries merge_queries_;
   std::vector<OfferedPlaces> places_;
 };
 

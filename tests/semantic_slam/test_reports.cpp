@@ -92,6 +92,14 @@ TEST_CASE("candidates in a host's own unit are scored in metres", "[hooks]") {
   CHECK(said(1.0) == "loop candidates offered: 1, wrong by the truth: 1\n");
 }
 
+TEST_CASE("how often the bag has merge candidates is told beside the host's own", "[hooks]") {
+  std::ostringstream out;
+  semantic::report_merges({9, 6, 5, 4}, out);
+  CHECK(out.str() ==
+        "key frames asked for merges: 9; with candidates of the host: 6, of the bag: 5, of both: "
+        "4\n");
+}
+
 TEST_CASE("a kidnapped camera is not scored without a truth", "[hooks][regression]") {
   const ScratchFolder folder;
   CHECK(semantic::read_truth(folder.path()).empty());

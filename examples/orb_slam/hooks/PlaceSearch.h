@@ -55,16 +55,21 @@ class PlaceSearch {
   }
 
  private:
-  /// Matches the frame, at its present pose, with the map points of the key frames.
+  /// Matches the frame, at its present pose, with the map points of the key frames, besides what it
+  /// is matched with.
   static int MatchByProjection(Frame& frame, const std::vector<KeyFrame*>& key_frames, float window,
                                int distance) {
     typename Host::ORBmatcher matcher(0.9f, true);
     std::set<MapPoint*> found;
-    for (KeyFrame* key_frame : key_frames) {
-      matcher.SearchByProjection(frame, key_frame, found, window, distance);
+    const auto note_matches = [&] {
       for (MapPoint* point : frame.mvpMapPoints) {
         if (point) found.insert(point);
       }
+    };
+    note_matches();
+    for (KeyFrame* key_frame : key_frames) {
+      matcher.SearchByProjection(frame, key_frame, found, window, distance);
+      note_matches();
     }
     return static_cast<int>(found.size());
   }
@@ -102,9 +107,26 @@ class PlaceSearch {
     const std::vector<KeyFrame*> key_frames = Around(place.key_frame);
     for (const Search& first : {Search{40.0f, 64, 10}, Search{100.0f, 50, 10}}) {
       Host::SetPose(frame, place);
-      if (Converges(frame, key_frames, first)) return true;
+      if (!Converges(frame, key_frames, first)) continue;
+      MatchFurther(frame, key_frames);
+      return true;
     }
     return false;
+  }
+
+  /// The host goes on with its local map, and ORB-SLAM3 looks for a lost frame's in windows five
+  /// times as wide as usual: what is right there is better matched before, in narrow ones, or wrong
+  /// matches outnumber it. With what the neighbors of the key frames see, too.
+  static void MatchFurther(Frame& frame, const std::vector<KeyFrame*>& key_frames) {
+    std::set<KeyFrame*> known(key_frames.begin(), key_frames.end());
+    std::vector<KeyFrame*> further;
+    for (KeyFrame* key_frame : key_frames) {
+      for (KeyFrame* next : key_frame->GetBestCovisibilityKeyFrames(10)) {
+        if (known.insert(next).second) further.push_back(next);
+      }
+    }
+    MatchByProjection(frame, further, 4.0f, 100);
+    OptimizePose(frame);
   }
 };
 

@@ -2,12 +2,14 @@
 // Tests the places of a semantic map by the host's own means; included by the host's Tracking.cc.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include <opencv2/calib3d.hpp>
+
 #include "Frame.h"
 #include "KeyFrame.h"
-#include "MLPnPsolver.h"
 #include "MapPoint.h"
 #include "ORBmatcher.h"
 #include "Optimizer.h"
@@ -34,21 +36,47 @@ struct OrbSlam3 {
 
   static void SetPose(Frame& frame, const Place<KeyFrame>& place) { frame.SetPose(PoseOf(place)); }
 
+  /// By OpenCV's RANSAC, which takes four points a sample. The host's own takes six: where one
+  /// match in three is right, its 35 samples hold hardly ever one without a wrong match.
   static void ApplyRansac(Frame& frame) {
-    // The host declares its destructor and has none: it is never destroyed, as the host's own.
-    auto& solver = *new ORB_SLAM3::MLPnPsolver(frame, frame.mvpMapPoints);
-    solver.SetRansacParameters(0.99, 10, 300, 6, 0.5f, 5.991f);
-    std::vector<bool> inliers;
-    bool finished = false;
-    int count = 0;
-    Eigen::Matrix4f Tcw;
-    if (!solver.iterate(300, finished, inliers, count, Tcw)) return;
-    const Eigen::Matrix3f R = Tcw.topLeftCorner<3, 3>();
-    const Eigen::Vector3f t = Tcw.topRightCorner<3, 1>();
-    frame.SetPose(Sophus::SE3f(Eigen::Quaternionf(R).normalized(), t));
-    for (std::size_t i = 0; i < inliers.size(); ++i) {
-      if (!inliers[i]) frame.mvpMapPoints[i] = nullptr;
+    std::vector<std::size_t> features;
+    std::vector<cv::Point3f> points;
+    std::vector<cv::Point2f> rays;  // where they meet the plane one unit before the camera
+    const std::size_t count = std::min(frame.mvpMapPoints.size(), frame.mvKeysUn.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      MapPoint* const point = frame.mvpMapPoints[i];
+      if (!point) continue;
+      const cv::Point3f ray = frame.mpCamera->unproject(frame.mvKeysUn[i].pt);
+      if (!(ray.z > 0.0f)) continue;
+      const Eigen::Vector3f position = point->GetWorldPos();
+      features.push_back(i);
+      points.emplace_back(position.x(), position.y(), position.z());
+      rays.emplace_back(ray.x / ray.z, ray.y / ray.z);
     }
+    const std::size_t least = std::max<std::size_t>(10, points.size() / 5);
+    if (points.size() < least) return;
+    const float tolerance = 4.0f / frame.mpCamera->getParameter(0);  // px over the focal length
+    cv::Mat rotation, translation;
+    std::vector<int> inliers;
+    if (!cv::solvePnPRansac(points, rays, cv::Mat::eye(3, 3, CV_64F), cv::noArray(), rotation,
+                            translation, false, 500, tolerance, 0.99, inliers, cv::SOLVEPNP_AP3P) ||
+        inliers.size() < least) {
+      return;
+    }
+    Eigen::Vector3f axis, t;
+    for (int i = 0; i < 3; ++i) {
+      axis[i] = static_cast<float>(rotation.at<double>(i));
+      t[i] = static_cast<float>(translation.at<double>(i));
+    }
+    const float angle = axis.norm();
+    const Eigen::Vector3f unit = angle > 0.0f ? Eigen::Vector3f(axis / angle) : axis;
+    frame.SetPose(Sophus::SE3f(Eigen::Quaternionf(Eigen::AngleAxisf(angle, unit)), t));
+    std::vector<MapPoint*> kept(frame.mvpMapPoints.size(), nullptr);
+    for (const int inlier : inliers) {
+      const std::size_t feature = features[static_cast<std::size_t>(inlier)];
+      kept[feature] = frame.mvpMapPoints[feature];
+    }
+    frame.mvpMapPoints = kept;
   }
 };
 

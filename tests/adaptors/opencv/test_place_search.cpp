@@ -181,6 +181,25 @@ TEST_CASE("the points of covisible key frames are asked too", "[hooks]") {
   CHECK(matched(frame) == 50);
 }
 
+TEST_CASE("a frame that stands at a place is matched with what lies further, too", "[hooks]") {
+  line_host::Scene scene;
+  line_host::KeyFrame* const key_frame = scene.alike(49, 30);
+  line_host::KeyFrame* const next = scene.alike(1, 30, 49);
+  line_host::KeyFrame* const further = scene.alike(8, 30, 50);
+  key_frame->neighbors = {next};
+  next->neighbors = {key_frame, further};
+  further->neighbors = {next, scene.alike(3, 30, 60)};
+  line_host::Hooks hooks;
+  hooks.places = {place(key_frame, 10.0F)};
+  line_host::Frame frame(70);
+  CHECK(line_host::Search::Relocalize(hooks, frame));
+  CHECK(matched(frame) == 58);
+  // A place that asks for what lies further is none.
+  scene.points[48]->distance = 110;
+  line_host::Frame nowhere(70);
+  CHECK_FALSE(line_host::Search::Relocalize(hooks, nowhere));
+}
+
 TEST_CASE("windows and distances of the searches, against the rule counted out", "[hooks]") {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> bits(20, 110), off(0, 130), wrong(0, 9);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <opencv2/core.hpp>
 
 #include "../small_matches.hpp"
 
@@ -78,7 +79,20 @@ namespace ORB_SLAM3 {
 
 struct MapPoint {
   bool bad = false;
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
+
   bool isBad() const { return bad; }
+  Eigen::Vector3f GetWorldPos() const { return position; }
+};
+
+/// A pinhole camera: its focal length is its first parameter.
+struct GeometricCamera {
+  float focal = 500.0F;
+
+  float getParameter(int) const { return focal; }
+  cv::Point3f unproject(const cv::Point2f& pixel) const {
+    return {pixel.x / focal, pixel.y / focal, 1.0F};
+  }
 };
 
 struct KeyFrame {
@@ -98,6 +112,8 @@ struct Frame {
   int N = 0;
   std::vector<MapPoint*> mvpMapPoints;
   std::vector<bool> mvbOutlier;
+  std::vector<cv::KeyPoint> mvKeysUn;
+  GeometricCamera* mpCamera = nullptr;
   Sophus::SE3f pose;
 
   void SetPose(const Sophus::SE3f& Tcw) { pose = Tcw; }
@@ -137,14 +153,6 @@ struct Optimizer {
     S = truth;
     return count_matches(matches);
   }
-};
-
-/// Finds no pose. Its destructor is declared and not defined, as the host's.
-struct MLPnPsolver {
-  MLPnPsolver(const Frame&, const std::vector<MapPoint*>&) {}
-  ~MLPnPsolver();
-  void SetRansacParameters(double, int, int, int, float, float) {}
-  bool iterate(int, bool&, std::vector<bool>&, int&, Eigen::Matrix4f&) { return false; }
 };
 
 }  // namespace ORB_SLAM3
