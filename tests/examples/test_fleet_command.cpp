@@ -117,8 +117,7 @@ TEST_CASE("likely mistakes with a fleet are told in a sentence", "[examples][fle
   const std::vector<std::pair<std::string, std::string>> mistakes = {
       {"fleet",
        "'fleet' is followed by one of its commands: init, admit, push, follow, status; see topobag "
-       "fleet "
-       "--help"},
+       "fleet --help"},
       {"fleet push " + hall, "--map is required; see topobag fleet push --help"},
       {"fleet admit " + hall, "--role is required; see topobag fleet admit --help"},
       {"fleet admit --role r2d2 " + base.address(), "the address names no site; give site=NAME"},
@@ -143,7 +142,7 @@ TEST_CASE("likely mistakes with a fleet are told in a sentence", "[examples][fle
       {"fleet push --map " + map + " " + base.address("site=hall&robot=r2d2"),
        "'r2d2' is no UUID: 32 hexadecimal digits, as in 123e4567-e89b-42d3-a456-426614174000"},
       {"fleet follow --seconds -1 " + hall,
-       "--seconds: '-1' is not a number in [0, inf); see topobag fleet follow --help"},
+       "--seconds: '-1' is not a whole number in [0, inf); see topobag fleet follow --help"},
       {"fleet follow --seconds 0 " + attic, no_attic},
       {"info " + attic, no_attic},
       {"localize --query " + sample_query + sample_options + "--map " + attic, no_attic},
