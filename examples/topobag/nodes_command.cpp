@@ -68,18 +68,16 @@ std::string appearance_complaint(std::string& text) {
   return "'" + text + "' is none of none, color and layer:NAME";
 }
 
-/// Throws InputError where a whole table would be written over. The same command goes on with one
-/// that it was ended in.
-void require_no_table(const std::string& out) {
-  if (std::filesystem::exists(set_name(out) + ".partial.json")) return;
+/// Whether a whole table is there.
+bool is_table(const std::string& set) {
   for (const char* ending : {".frames.csv", ".nodes.csv"}) {
-    const std::string path = set_name(out) + ending;
-    if (!std::filesystem::is_regular_file(path)) return;
+    const std::string path = set + ending;
+    if (!std::filesystem::is_regular_file(path)) return false;
     std::string header;
     std::getline(std::ifstream(path), header);
-    if (header.rfind("idx,", 0) != 0) return;
+    if (header.rfind("idx,", 0) != 0) return false;
   }
-  throw InputError("--out " + out, "the table exists; give another name");
+  return true;
 }
 
 /// Throws InputError where nothing was detected, and says what may be why.
@@ -131,7 +129,6 @@ void make_nodes(const NodesOptions& options) {
   const topobag::ClassCatalog& catalog = options.classes.catalog;
   require_folder("--out", options.out);
   const TableLock lock(options.out);
-  require_no_table(options.out);
   if (std::filesystem::is_directory(options.model)) {
     throw InputError(options.model, "it is a folder; name an ONNX file");
   }
@@ -160,9 +157,12 @@ void make_nodes(const NodesOptions& options) {
   const std::string left_out = left_out_text(sequence, source, detected);
   require_detections(options, tally, left_out);
   require_depths(tally, detected.table);
+  const std::string set = set_name(options.out);
+  const bool replaced = is_table(set);
   write_node_table(options.out, detected.table, catalog);
   checkpoint.remove();
-  std::cout << nodes_summary(set_name(options.out), tally, left_out);
+  std::cout << nodes_summary(set, tally, left_out);
+  if (replaced) std::cerr << "topobag: " << set << ": the table that was there is replaced\n";
   const std::size_t unscored = source.boxes ? source.boxes->unscored : 0;
   if (unscored > 0) {
     std::cerr << "topobag: " << options.boxes << ": " << unscored
@@ -171,7 +171,7 @@ void make_nodes(const NodesOptions& options) {
   const std::string doubt =
       size_doubt_text(detected.table.frames, camera, catalog, topobag::LiftOptions{}.min_confidence,
                       "is --depth-scale that of the images");
-  if (!doubt.empty()) std::cerr << "topobag: " << set_name(options.out) << ": " << doubt << '\n';
+  if (!doubt.empty()) std::cerr << "topobag: " << set << ": " << doubt << '\n';
 }
 
 }  // namespace

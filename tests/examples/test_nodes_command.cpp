@@ -128,7 +128,7 @@ TEST_CASE("nodes describes objects when it is asked to", "[examples][appearance]
       std::string::npos);
 }
 
-TEST_CASE("nodes writes over no table that is whole", "[examples][regression]") {
+TEST_CASE("nodes replaces a table, and says so", "[examples][regression]") {
   const ScratchFolder folder, labels;
   write_sequence(folder);
   labels.write("rgb.txt", "62 0.5 0.5 0.4 0.4\n");
@@ -138,10 +138,15 @@ TEST_CASE("nodes writes over no table that is whole", "[examples][regression]") 
   if (first.err.find("was not built") != std::string::npos) return;  // it needs OpenCV
   CAPTURE(first.err);
   REQUIRE(first.exit_code == 0);
+  const std::string replaced =
+      "topobag: " + folder.path("set") + ": the table that was there is replaced\n";
+  CHECK(first.err.find(replaced) == std::string::npos);
   const std::string before = content_of(folder.path("set.nodes.csv"));
-  CHECK(refusal(arguments) ==
-        "--out " + folder.path("set") + ": the table exists; give another name");
-  CHECK(content_of(folder.path("set.nodes.csv")) == before);
+  labels.write("rgb.txt", "62 0.5 0.5 0.5 0.4 0.9\n");
+  const ProgramRun again = run_program(arguments);
+  CHECK(again.exit_code == 0);
+  CHECK(again.err.find(replaced) != std::string::npos);
+  CHECK(content_of(folder.path("set.nodes.csv")) != before);
   CHECK(refusal(arguments + '/') ==
         "--out " + folder.path("set/") + ": it is a folder; name a file in it");
 }
