@@ -18,18 +18,21 @@ class MatchedFrame {
   MatchedFrame(std::size_t right, std::size_t wrong, unsigned seed) : points_(right + wrong) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> in(-1.0F, 1.0F);
-    const Eigen::Vector3f axis = Eigen::Vector3f(in(random), in(random), in(random)).normalized();
-    truth = {Eigen::Quaternionf(Eigen::AngleAxisf(0.5F * in(random), axis)),
-             Eigen::Vector3f(in(random), in(random), in(random))};
+    const auto draw = [&] {  // the same under every compiler
+      const float x = in(random), y = in(random), z = in(random);
+      return Eigen::Vector3f(x, y, z);
+    };
+    const Eigen::Vector3f axis = draw().normalized(), t = draw();
+    truth = {Eigen::Quaternionf(Eigen::AngleAxisf(0.5F * in(random), axis)), t};
     frame.mpCamera = &camera_;
     frame.N = static_cast<int>(points_.size()) + 1;
     frame.mvKeysUn.emplace_back(cv::Point2f(0.0F, 0.0F), 31.0F);  // one without a match
     frame.mvpMapPoints.push_back(nullptr);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Eigen::Vector3f seen(1.5F * in(random), in(random), 3.0F + in(random));
+      const Eigen::Vector3f seen = Eigen::Vector3f(0.0F, 0.0F, 3.0F) + draw();
       points_[i].position = truth.q.conjugate() * (seen - truth.t);
       Eigen::Vector2f pixel = camera_.focal / seen.z() * seen.head<2>();
-      if (i >= right) pixel += Eigen::Vector2f(40.0F, 30.0F * in(random));
+      if (i >= right) pixel = 250.0F * draw().head<2>();
       frame.mvKeysUn.emplace_back(cv::Point2f(pixel.x(), pixel.y()), 31.0F);
       frame.mvpMapPoints.push_back(&points_[i]);
     }
