@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 flags=(-std=c++17 -O0 -Iinclude)
-for package in eigen3 opencv4; do
+for package in eigen3 opencv4 libpq; do
   read -ra more < <(pkg-config --cflags "$package" 2>/dev/null || true) || true
   flags+=("${more[@]/#-I/-isystem}")
 done
