@@ -46,8 +46,8 @@ struct CandidateReport {
   /// Of that pose, as `RelativePose::scale_covariance`.
   Eigen::Matrix<double, 6, 1> place_scale_covariance = Eigen::Matrix<double, 6, 1>::Zero();
   std::optional<RivalPlace> rival;  ///< that keeps the pose from being believed
-  /// Where it passed by itself and its place was not asked: the better candidate whose verdict it
-  /// shares, of its place where one of that was judged, else the best of all.
+  /// Where it passed by itself and was not judged by its place: the better candidate of its place
+  /// whose verdict it shares, or else the best of all, elsewhere, which rivals it.
   std::optional<KeyframeId> judged_by;
   std::size_t places = 0;            ///< of the map that can hold what was matched
   bool with_views = true;            ///< of the query or the candidate, which the threshold goes by

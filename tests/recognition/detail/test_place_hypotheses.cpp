@@ -3,8 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <topobag/bag/bag_of_topology_graphs.hpp>
+#include <topobag/edges/knn_edges.hpp>
 #include <topobag/recognition/explain.hpp>
 #include <topobag/recognition/relocalizer.hpp>
 
@@ -58,12 +61,40 @@ TEST_CASE("where nothing is accepted, nothing is verified", "[recognition]") {
       const CandidateReport& better = report_of(recognition, *report.judged_by);
       CHECK_FALSE(report.place_support);
       CHECK(report.pose->score() <= better.pose->score());
-      CHECK(report.verdict == better.verdict);
+      CHECK(report.verdict == Verdict::rivalled);
       judged_elsewhere += value(report.id) / spots != value(better.id) / spots ? 1U : 0U;
     }
   }
   CHECK(shared > 50);
   CHECK(judged_elsewhere > 5);
+}
+
+TEST_CASE("a place that was not judged is not verified beside a better one elsewhere",
+          "[recognition]") {
+  std::mt19937 random(13);
+  std::size_t elsewhere = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const SyntheticRoom room(seed, 9, 6);
+    Relocalizer<> lost = equal_rooms(room, 1, 3, random);
+    const TopologyGraph<> query = room.seen_from(Eigen::Isometry3d::Identity());
+    for (std::uint64_t place = 1; place <= 12; ++place) {  // six of its objects stand there alike
+      std::vector<SemanticNode<>> some(query.nodes().begin(), query.nodes().begin() + 6);
+      EntryInfo info;
+      info.T_world_camera = Eigen::Translation3d(0.0, 20.0 * static_cast<double>(place), 0.0) *
+                            Eigen::Isometry3d::Identity();
+      lost.map().add(KeyframeId{100 + place}, make_topology_graph(std::move(some), KnnEdges{}),
+                     info);
+    }
+    for (const CandidateReport& report : lost.localize(query).candidates) {
+      if (value(report.id) < 100) continue;
+      CHECK_FALSE(is_verified(report.verdict));
+      if (!report.judged_by) continue;
+      ++elsewhere;
+      CHECK(report.verdict == Verdict::rivalled);
+      CHECK(report.rival->id == *report.judged_by);
+    }
+  }
+  CHECK(elsewhere > 20);
 }
 
 TEST_CASE("what is of an accepted one's place is verified with it, and says by which",

@@ -26,12 +26,14 @@ Verdict judge_candidate(const CandidateReport& report, const Graph& query,
 }
 
 /// What passed by itself, and was not asked of its place, is worth what the better candidate is
-/// that was: it shares its verdict.
+/// that was: it shares its verdict, where that is of its place; else it stays rivalled by it.
 template <typename Reports>
 void share_verdicts(Reports& reports) {
   for (auto& report : reports) {
     const bool passed = report.verdict == Verdict::accepted || report.verdict == Verdict::rivalled;
-    if (!passed) report.judged_by.reset();
+    if (passed || !report.judged_by) continue;
+    report.judged_by.reset();
+    report.rival.reset();
   }
   for (auto& report : reports) {
     auto better = &report;
@@ -39,7 +41,7 @@ void share_verdicts(Reports& reports) {
       better = &*std::find_if(reports.begin(), reports.end(),
                               [&](const auto& other) { return other.id == *better->judged_by; });
     }
-    if (better == &report) continue;
+    if (better == &report || report.rival) continue;  // judged, or another place is better
     report.verdict = is_verified(better->verdict) ? Verdict::not_best : better->verdict;
     report.rival = better->rival;
   }

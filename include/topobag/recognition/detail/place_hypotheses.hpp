@@ -169,13 +169,17 @@ void judge_places(const Bag& bag, const typename Bag::Graph& query,
     }
   }
   if (judged == 0) return;
-  for (auto& report : reports) {
-    if (!report.place_support) report.judged_by = reports[hypotheses.front().report].id;
-  }
   for (std::size_t i = 0; i < judged; ++i) {
     for (const std::size_t other : hypotheses[i].others) {
       reports[other].judged_by = reports[hypotheses[i].report].id;
     }
+  }
+  // Of other places than those that were judged: the best of these is a better one elsewhere.
+  const PlaceHypothesis& best = hypotheses.front();
+  for (auto& report : reports) {
+    if (report.place_support || report.judged_by) continue;
+    report.judged_by = reports[best.report].id;
+    report.rival = rival_place(*report.judged_by, best, 0.0);
   }
 }
 
