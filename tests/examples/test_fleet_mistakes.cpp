@@ -101,4 +101,7 @@ TEST_CASE("an address that cannot be read is told without what it lacks",
           "[examples][fleet][regression]") {
   CHECK(refusal("fleet status 'postgresql://localhost:1/x?sitte=a'")
             .find("PostgreSQL: invalid URI query parameter") == 0);
+  // Without an end: a follower does not try for ever what can never be read.
+  CHECK(refusal("fleet follow 'postgresql://localhost:1/x?site=a&hots=b'") ==
+        "PostgreSQL: invalid URI query parameter: \"hots\"");
 }

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <map>
+#include <string>
+#include <utility>
+
 #include <topobag/recognition/calibrate.hpp>
 #include <topobag/recognition/calibration_text.hpp>
 
@@ -72,6 +76,14 @@ void bind_calibration(py::module_& module) {
       .def("is_extrapolated", &Calibration::is_extrapolated, py::arg("score"),
            doc("Calibration.is_extrapolated"))
       .def("carries_over", &Calibration::carries_over, doc("Calibration.carries_over"))
+      .def_property(
+          "conditions", [](const Calibration& c) { return c.conditions().stated(); },
+          [](Calibration& c, const std::map<std::string, std::string>& stated) {
+            CalibrationConditions conditions;
+            for (const auto& [name, value] : stated) conditions.set(name, value);
+            c.set_conditions(std::move(conditions));
+          },
+          doc("CalibrationConditions"))
       .def("to_text", to_text, "As a text, from which `from_text` makes the same one.")
       .def_static("from_text", from_text, py::arg("text"), doc("parse_calibration"))
       .def(py::pickle(to_text, from_text))

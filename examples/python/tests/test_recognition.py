@@ -115,8 +115,13 @@ def test_a_calibration_learns_and_keeps(sample, relocalizer):
     calibration = topobag.calibrate(relocalizer, list(relocalizer.map)[:10], options=few)
     assert len(calls) == 30 and calibration.queries == 20
     assert calibration.source == topobag.CalibrationSource.null_model
+    assert calibration.conditions == {}
+    calibration.conditions = {"window": "3 s"}
     again = pickle.loads(pickle.dumps(calibration))
-    assert again.to_text() == calibration.to_text()
+    assert again.to_text() == calibration.to_text() and again.conditions == {"window": "3 s"}
+    with pytest.raises(topobag.InvalidValue, match="must be a word"):
+        calibration.conditions = {"two words": "3 s"}
+    assert calibration.conditions == {"window": "3 s"}
     options = topobag.recognition_options(topobag.ClassCatalog.coco80())
     options.decision.calibration = again
     options.decision.false_accept_rate = 0.05

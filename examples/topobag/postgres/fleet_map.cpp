@@ -205,6 +205,8 @@ void follow_fleet(const FleetAddress& address, const ObjectClasses& classes,
     } catch (const InputError&) {
       throw;
     } catch (const topobag::Error& error) {
+      // An address that cannot be read, or classes that are not the site's: no other try mends it.
+      if (!fleet && dynamic_cast<const topobag::FormatError*>(&error) != nullptr) throw;
       why = error.what();
       if (followed || !time || Clock::now() < end) if_new(says.trouble, why);
     }

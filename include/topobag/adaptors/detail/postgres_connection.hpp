@@ -35,9 +35,11 @@ class PostgresRefusal : public Error {
 class PostgresConnection {
  public:
   /// @param silence  how long the server may say nothing before it counts as lost
-  /// Throws Error when there is no connection; the text never holds the password.
+  /// Throws FormatError for an address that libpq cannot read, Error when there is no connection;
+  /// the text never holds the password.
   PostgresConnection(const std::string& conninfo, std::chrono::milliseconds silence)
       : silence_(silence) {
+    require_readable(conninfo);
     const long seconds = std::max(2L, static_cast<long>(silence.count() / 1000));
     const std::string patience = std::to_string(seconds);
     // What comes later holds: the user's own connect_timeout, but not another encoding.
@@ -105,6 +107,19 @@ class PostgresConnection {
   };
 
   PGconn* get() const noexcept { return connection_.get(); }
+
+  /// An address that says nothing to libpq today says nothing to it tomorrow.
+  static void require_readable(const std::string& conninfo) {
+    // The bare name of a data base is read, too, but not by this.
+    if (conninfo.find('=') == std::string::npos && conninfo.find("://") == std::string::npos)
+      return;
+    char* why = nullptr;
+    PQconninfoOption* const options = PQconninfoParse(conninfo.c_str(), &why);
+    const std::string sentence = why == nullptr ? "" : in_one_line(why);
+    PQfreemem(why);
+    PQconninfoFree(options);
+    if (options == nullptr) throw FormatError("PostgreSQL: " + sentence);
+  }
 
   /// What libpq says, in one line.
   std::string said() const { return in_one_line(PQerrorMessage(get())); }
