@@ -10,6 +10,7 @@
 #include <topobag/evaluation/protocol_text.hpp>
 
 #include "commands.hpp"
+#include "compared_methods.hpp"
 #include "comparison.hpp"
 #include "input_error.hpp"
 #include "keyframe_options.hpp"
@@ -67,76 +68,13 @@ KnownPlaces places_of(const RecognitionRun& run, const CompareArguments& argumen
                       topobag::parse_protocol(arguments.protocol), loop_gap);
 }
 
-/// A method's best answers to each query, among the pairs that the protocol evaluates or ignores.
-std::vector<std::vector<topobag::Candidate>> best_answers(const PairScores& scores,
-                                                          const topobag::PlaceTruth& truth,
-                                                          std::size_t count) {
-  std::vector<std::vector<topobag::Candidate>> answers(truth.num_queries());
-  for_each_score(scores, [&](std::size_t query, std::size_t candidate, double score) {
-    if (truth.relation(query, candidate) == topobag::PairRelation::excluded) return;
-    answers[query].push_back({topobag::KeyframeId{candidate}, score});
-  });
-  for (auto& of_query : answers) {
-    std::sort(of_query.begin(), of_query.end());
-    of_query.resize(std::min(count, of_query.size()));
-  }
-  return answers;
-}
-
-/// Time of all queries over the pairs that they verified, µs.
-double verification_us(const RecognitionRun& run) {
-  double milliseconds = 0.0;
-  std::size_t pairs = 0;
-  for (const QueryRecord& record : run.records) {
-    milliseconds += record.milliseconds;
-    pairs += record.tried.size();
-  }
-  return 1e3 * milliseconds / static_cast<double>(std::max<std::size_t>(1, pairs));
-}
-
-/// The library at its defaults.
-ComparedMethod default_method(const RecognitionRun& run, const topobag::ScoreMatrix& scores,
-                              const topobag::PlaceTruth& truth) {
-  ComparedMethod method{
-      "default", "the library: retrieval, all verified, ranked by verification and viewpoint"};
-  method.labelled = topobag::label_scores(scores, truth);
-  method.pair_us = verification_us(run);
-  method.poses = summarize(run);
-  return method;
-}
-
-/// The paper's whole pipeline: only what hardly moves, single frames, Delaunay in the image,
-/// eq. 12.
-ComparedMethod paper_method(const CompareArguments& arguments, const topobag::PlaceTruth& truth) {
+/// The key frames as the paper has them: what hardly moves, single frames.
+RecognitionRun read_static_frames(const CompareArguments& arguments) {
   KeyframeOptions keyframes = arguments.keyframes;
   keyframes.window = 0.0;
   keyframes.keep = {topobag::Dynamics::low};
   keyframes.matchable = false;
-  const RecognitionRun run = read_run(arguments, keyframes);
-  const SimilarityScores scores = score_padded_cosine(run.queries, run.map);
-  ComparedMethod method{"paper's whole pipeline",
-                        "static objects, single frames, image Delaunay, eq. 12; no pose"};
-  method.labelled = topobag::label_scores(scores.scores, truth);
-  method.pair_us = scores.pair_us;
-  return method;
-}
-
-/// What the library's verification makes of a method's best answers.
-RunSummary verified(RecognitionRun& run, const PairScores& scores, const topobag::PlaceTruth& truth,
-                    std::size_t count) {
-  verify(run, best_answers(scores, truth, count));
-  score(run, Scoring{});
-  return summarize(run);
-}
-
-/// A method of the user's own, by its scores of the key frames of query and map.
-ComparedMethod own_method(RecognitionRun& run, const std::string& path, const std::string& name,
-                          const topobag::PlaceTruth& truth, const Comparison& comparison) {
-  const PairScores scores = read_pair_scores(path, false);
-  ComparedMethod method{name, "scores of " + path, label_scores(scores, truth, path)};
-  method.meaning += unscored_text(method.labelled, comparison.true_pairs + comparison.false_pairs);
-  method.poses = verified(run, scores, truth, comparison.verified);
-  return method;
+  return read_run(arguments, keyframes);
 }
 
 void compare(const CompareArguments& arguments) {
@@ -181,7 +119,7 @@ void compare(const CompareArguments& arguments) {
   };
   {
     const ProgressPart part = part_of_next();
-    comparison.methods.push_back(paper_method(arguments, places.truth));
+    comparison.methods.push_back(paper_method(read_static_frames(arguments), places.truth));
   }
   for (std::size_t i = 0; i < own_names.size(); ++i) {
     const ProgressPart part = part_of_next();
@@ -190,11 +128,8 @@ void compare(const CompareArguments& arguments) {
   }
   for (SimilarityScores& similarity : similarities) {
     const ProgressPart part = part_of_next();
-    ComparedMethod method{std::move(similarity.name), std::move(similarity.meaning),
-                          topobag::label_scores(similarity.scores, places.truth),
-                          similarity.pair_us};
-    method.poses = verified(run, std::move(similarity.scores), places.truth, arguments.verified);
-    comparison.methods.push_back(std::move(method));
+    comparison.methods.push_back(
+        similarity_method(run, std::move(similarity), places.truth, arguments.verified));
   }
   if (wanted(arguments.files)) {
     write_report(comparison_report(comparison, places, decided), arguments.files);
