@@ -42,7 +42,14 @@ namespace detail {
 
 /// How many bits are set.
 inline int popcount(std::uint64_t word) noexcept {
+#ifdef __POPCNT__
   return static_cast<int>(std::bitset<64>(word).count());
+#else  // no instruction: compilers would call a function; sums of 2, 4 and 8 bits side by side
+  word -= (word >> 1) & 0x5555555555555555;
+  word = (word & 0x3333333333333333) + ((word >> 2) & 0x3333333333333333);
+  word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0F;
+  return static_cast<int>((word * 0x0101010101010101) >> 56);
+#endif
 }
 
 /// Number of the lowest bit that is set. Precondition: there is one.
