@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -117,6 +118,23 @@ inline Detect with_feature_depths(const Detect& boxes, const Calibration& calibr
   };
 }
 
+/// The disparities of a rectified pair, 16 a pixel, of up to 128 px; negative where there is none.
+/// The matcher has none for the columns that it could not compare with all 128: a border beside
+/// both images gives them theirs, but for what would lie in the right one's border.
+inline cv::Mat disparities(const cv::Mat& left, const cv::Mat& right, cv::StereoSGBM& matcher) {
+  const int border = matcher.getNumDisparities();
+  cv::Mat wide_left, wide_right, wide;
+  cv::copyMakeBorder(left, wide_left, 0, 0, border, 0, cv::BORDER_CONSTANT);
+  cv::copyMakeBorder(right, wide_right, 0, 0, border, 0, cv::BORDER_CONSTANT);
+  matcher.compute(wide_left, wide_right, wide);
+  cv::Mat disparity = wide.colRange(border, wide.cols).clone();
+  for (int column = 0; column < std::min(border, disparity.cols); ++column) {
+    cv::Mat here = disparity.col(column);
+    here.setTo(-cv::StereoMatcher::DISP_SCALE, here > cv::StereoMatcher::DISP_SCALE * column);
+  }
+  return disparity;
+}
+
 /// Boxes with the depths of the disparities of a rectified pair, of up to 128 px. What the boxes
 /// knew of depth is forgotten. Throws topobag::Error for settings that say nothing of a baseline.
 inline Detect with_disparities(const Detect& boxes, const Calibration& calibration) {
@@ -127,10 +145,10 @@ inline Detect with_disparities(const Detect& boxes, const Calibration& calibrati
   }
   const cv::Ptr<cv::StereoSGBM> matcher = cv::StereoSGBM::create(0, 128, 5, 200, 800);
   return [boxes, calibration, matcher](const Images& images) {
-    cv::Mat disparity;  // CV_16S, 16 a pixel
-    matcher->compute(images.rgb, images.depth, disparity);
-    const topobag::DisparityDepth depth(topobag::DepthImage(disparity, 16.0), calibration.camera.fx,
-                                        calibration.baseline);
+    const cv::Mat disparity = disparities(images.rgb, images.depth, *matcher);
+    const topobag::DisparityDepth depth(
+        topobag::DepthImage(disparity, cv::StereoMatcher::DISP_SCALE), calibration.camera.fx,
+        calibration.baseline);
     return topobag::range_detections(boxes(images), depth, calibration.camera);
   };
 }
