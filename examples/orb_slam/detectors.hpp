@@ -73,6 +73,13 @@ inline Detect table_detector(TableRows rows) {
   };
 }
 
+/// Where a camera without distortion would see the boxes.
+inline std::vector<topobag::RangedDetection> straight(std::vector<topobag::RangedDetection> boxes,
+                                                      const Calibration& calibration) {
+  return topobag::undistorted(std::move(boxes), calibration.matrix, calibration.distortion,
+                              {calibration.camera.width, calibration.camera.height});
+}
+
 /// Boxes that know their depths already; none of an image whose depth image shows nothing.
 inline Detect undistorted(const Detect& boxes, const Calibration& calibration) {
   return [boxes, calibration](const Images& images) {
@@ -80,7 +87,7 @@ inline Detect undistorted(const Detect& boxes, const Calibration& calibration) {
     if (cv::countNonZero(images.depth) == 0) {
       for (topobag::RangedDetection& box : found) box.z = 0.0;
     }
-    return topobag::undistorted(found, calibration.matrix, calibration.distortion);
+    return straight(std::move(found), calibration);
   };
 }
 
@@ -100,11 +107,10 @@ inline Detect network_detector(const std::string& model, const Calibration& cali
 /// Boxes with the depths of the depth image, which is as distorted as they are; undistorted then.
 inline Detect with_depth_image(const Detect& boxes, const Calibration& calibration) {
   return [boxes, calibration](const Images& images) {
-    return topobag::undistorted(
-        topobag::range_detections(boxes(images),
-                                  topobag::DepthImage(images.depth, calibration.depth_scale),
-                                  calibration.camera),
-        calibration.matrix, calibration.distortion);
+    return straight(topobag::range_detections(
+                        boxes(images), topobag::DepthImage(images.depth, calibration.depth_scale),
+                        calibration.camera),
+                    calibration);
   };
 }
 
@@ -112,9 +118,9 @@ inline Detect with_depth_image(const Detect& boxes, const Calibration& calibrati
 /// image. What the boxes knew of depth is forgotten.
 inline Detect with_feature_depths(const Detect& boxes, const Calibration& calibration) {
   return [boxes, calibration](const Images& images) {
-    return topobag::range_detections(
-        topobag::undistorted(boxes(images), calibration.matrix, calibration.distortion),
-        topobag::SparseDepth(images.points), calibration.camera, topobag::SparseBoxDepth{});
+    return topobag::range_detections(straight(boxes(images), calibration),
+                                     topobag::SparseDepth(images.points), calibration.camera,
+                                     topobag::SparseBoxDepth{});
   };
 }
 
