@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -72,6 +73,13 @@ inline Detect table_detector(TableRows rows) {
   };
 }
 
+/// Where a camera without distortion would see the boxes.
+inline std::vector<topobag::RangedDetection> straight(std::vector<topobag::RangedDetection> boxes,
+                                                      const Calibration& calibration) {
+  return topobag::undistorted(std::move(boxes), calibration.matrix, calibration.distortion,
+                              {calibration.camera.width, calibration.camera.height});
+}
+
 /// Boxes that know their depths already; none of an image whose depth image shows nothing.
 inline Detect undistorted(const Detect& boxes, const Calibration& calibration) {
   return [boxes, calibration](const Images& images) {
@@ -79,7 +87,7 @@ inline Detect undistorted(const Detect& boxes, const Calibration& calibration) {
     if (cv::countNonZero(images.depth) == 0) {
       for (topobag::RangedDetection& box : found) box.z = 0.0;
     }
-    return topobag::undistorted(found, calibration.matrix, calibration.distortion);
+    return straight(std::move(found), calibration);
   };
 }
 
@@ -99,11 +107,10 @@ inline Detect network_detector(const std::string& model, const Calibration& cali
 /// Boxes with the depths of the depth image, which is as distorted as they are; undistorted then.
 inline Detect with_depth_image(const Detect& boxes, const Calibration& calibration) {
   return [boxes, calibration](const Images& images) {
-    return topobag::undistorted(
-        topobag::range_detections(boxes(images),
-                                  topobag::DepthImage(images.depth, calibration.depth_scale),
-                                  calibration.camera),
-        calibration.matrix, calibration.distortion);
+    return straight(topobag::range_detections(
+                        boxes(images), topobag::DepthImage(images.depth, calibration.depth_scale),
+                        calibration.camera),
+                    calibration);
   };
 }
 
@@ -111,10 +118,27 @@ inline Detect with_depth_image(const Detect& boxes, const Calibration& calibrati
 /// image. What the boxes knew of depth is forgotten.
 inline Detect with_feature_depths(const Detect& boxes, const Calibration& calibration) {
   return [boxes, calibration](const Images& images) {
-    return topobag::range_detections(
-        topobag::undistorted(boxes(images), calibration.matrix, calibration.distortion),
-        topobag::SparseDepth(images.points), calibration.camera, topobag::SparseBoxDepth{});
+    return topobag::range_detections(straight(boxes(images), calibration),
+                                     topobag::SparseDepth(images.points), calibration.camera,
+                                     topobag::SparseBoxDepth{});
   };
+}
+
+/// The disparities of a rectified pair, 16 a pixel, of up to 128 px; negative where there is none.
+/// The matcher has none for the columns that it could not compare with all 128: a border beside
+/// both images gives them theirs, but for what would lie in the right one's border.
+inline cv::Mat disparities(const cv::Mat& left, const cv::Mat& right, cv::StereoSGBM& matcher) {
+  const int border = matcher.getNumDisparities();
+  cv::Mat wide_left, wide_right, wide;
+  cv::copyMakeBorder(left, wide_left, 0, 0, border, 0, cv::BORDER_CONSTANT);
+  cv::copyMakeBorder(right, wide_right, 0, 0, border, 0, cv::BORDER_CONSTANT);
+  matcher.compute(wide_left, wide_right, wide);
+  cv::Mat disparity = wide.colRange(border, wide.cols).clone();
+  for (int column = 0; column < std::min(border, disparity.cols); ++column) {
+    cv::Mat here = disparity.col(column);
+    here.setTo(-cv::StereoMatcher::DISP_SCALE, here > cv::StereoMatcher::DISP_SCALE * column);
+  }
+  return disparity;
 }
 
 /// Boxes with the depths of the disparities of a rectified pair, of up to 128 px. What the boxes
@@ -127,10 +151,10 @@ inline Detect with_disparities(const Detect& boxes, const Calibration& calibrati
   }
   const cv::Ptr<cv::StereoSGBM> matcher = cv::StereoSGBM::create(0, 128, 5, 200, 800);
   return [boxes, calibration, matcher](const Images& images) {
-    cv::Mat disparity;  // CV_16S, 16 a pixel
-    matcher->compute(images.rgb, images.depth, disparity);
-    const topobag::DisparityDepth depth(topobag::DepthImage(disparity, 16.0), calibration.camera.fx,
-                                        calibration.baseline);
+    const cv::Mat disparity = disparities(images.rgb, images.depth, *matcher);
+    const topobag::DisparityDepth depth(
+        topobag::DepthImage(disparity, cv::StereoMatcher::DISP_SCALE), calibration.camera.fx,
+        calibration.baseline);
     return topobag::range_detections(boxes(images), depth, calibration.camera);
   };
 }

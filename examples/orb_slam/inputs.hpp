@@ -30,7 +30,9 @@ struct Inputs {
       required_truth(arguments.sequence);  // by which the map is laid onto the truth
       kidnap_truth = required_truth(arguments.kidnap_sequence);
     }
-    if (!arguments.stock) detect = make_detect(arguments);
+    if (arguments.stock) return;
+    know_image_size();
+    detect = make_detect(arguments);
   }
 
   /// Of what stands beside the host.
@@ -63,6 +65,16 @@ struct Inputs {
   Detect detect;  ///< none beside a stock host
 
  private:
+  /// By it boxes are seen to be cut, and views to hold an object. ORB-SLAM2's settings of one
+  /// camera do not say it.
+  void know_image_size() {
+    topobag::PinholeCamera<>& camera = calibration.camera;
+    if (camera.width > 0 && camera.height > 0) return;
+    const cv::Mat image = read_images(frames.front(), sensor).rgb;
+    camera.width = image.cols;
+    camera.height = image.rows;
+  }
+
   Detect make_detect(const Arguments& arguments) const {
     const bool has_table = arguments.model.empty();
     const Detect boxes =

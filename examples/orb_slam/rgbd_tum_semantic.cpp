@@ -167,7 +167,10 @@ class Run {
   void finish() {
     stop();
     if (semantic_ && !arguments_.save_sightings.empty()) semantic_->save(arguments_.save_sightings);
-    slam_.SaveTrajectoryTUM(arguments_.out + "/CameraTrajectory.txt");
+    // Of one camera the host has those of its key frames alone.
+    if (inputs_.sensor != Sensor::mono) {
+      slam_.SaveTrajectoryTUM(arguments_.out + "/CameraTrajectory.txt");
+    }
     slam_.SaveKeyFrameTrajectoryTUM(arguments_.out + "/KeyFrameTrajectory.txt");
   }
 

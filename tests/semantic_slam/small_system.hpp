@@ -3,6 +3,7 @@
 // its own types.
 #pragma once
 
+#include <iostream>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -42,7 +43,10 @@ class System {
   Map* GetMap() { return &map_; }
   void ActivateLocalizationMode() { mapping_ = false; }
   void Shutdown() {}
-  void SaveTrajectoryTUM(const std::string&) {}
+  /// As the hosts, which refuse to where there is one camera.
+  void SaveTrajectoryTUM(const std::string&) {
+    if (sensor_ == MONOCULAR) std::cerr << "not for one camera\n";
+  }
   void SaveKeyFrameTrajectoryTUM(const std::string&) {}
   bool is_tracking() const { return tracking_; }
 

@@ -1,69 +1,15 @@
 // SPDX-License-Identifier: MIT
 // ORB-SLAM3's hooks that try the object poses of a key frame in other maps, on types of our own.
+#include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include <MergeFromPlaces.h>
 
 #include "catch.hpp"
+#include "semantic_slam/merge_scene.hpp"
 
 namespace {
-
-using MergedKeyFrame = ORB_SLAM3::KeyFrame;
-using MergedPoint = ORB_SLAM3::MapPoint;
-
-struct MergeHooks {
-  std::vector<topobag_hooks::Place<MergedKeyFrame>> places;
-  std::vector<int> tried;
-  int asked = 0;
-
-  std::vector<topobag_hooks::Place<MergedKeyFrame>> MergePlaces() {
-    ++asked;
-    return places;
-  }
-  void MergePlacesTried(int accepted) { tried.push_back(accepted); }
-};
-
-/// A key frame, one of another map that sees the same, and how the two worlds' units go together.
-struct MergeScene {
-  explicit MergeScene(double scale_of_place) : scale(scale_of_place) {
-    for (MergedPoint& point : points) other.points.push_back(&point);
-    now.points.resize(points.size());
-    other.T_world_camera.t << 0.5F, 0.0F, 1.0F;
-    const Eigen::Quaterniond rotation(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY()));
-    const Eigen::Vector3d translation(0.2, -0.1, 0.4);  // in the other map's unit
-    now.S_camera_other = {rotation, translation / scale, 1.0 / scale};
-  }
-
-  /// Of the truth, the camera that far off.
-  topobag_hooks::Place<MergedKeyFrame> place(float off = 0.05F) {
-    Eigen::Matrix4f T = Eigen::Matrix4f::Identity();
-    T.topLeftCorner<3, 3>() = now.S_camera_other.q.toRotationMatrix().cast<float>();
-    T.topRightCorner<3, 1>() = (scale * now.S_camera_other.t).cast<float>();
-    T(0, 3) += off;
-    topobag_hooks::Place<MergedKeyFrame> made{&other, {}, static_cast<float>(scale)};
-    Eigen::Map<Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(made.Tcw.data()) = T;
-    return made;
-  }
-
-  /// Whether a merge has begun.
-  bool begins(MergeHooks& hooks, bool fixed_scale, bool host_agrees = true) {
-    topobag_hooks::MergeFromPlaces(hooks, &now, fixed_scale, {matched, last, Slw, coincidences},
-                                   [&](MergedKeyFrame*, g2o::Sim3& Scw) {
-                                     given = Scw;
-                                     return host_agrees;
-                                   });
-    return coincidences == 1;
-  }
-
-  const double scale;
-  std::vector<MergedPoint> points = std::vector<MergedPoint>(30);
-  MergedKeyFrame now, other;
-  MergedKeyFrame *matched = nullptr, *last = nullptr;
-  g2o::Sim3 Slw, given;
-  int coincidences = 0;
-};
 
 void check_truth(const MergeScene& scene, const g2o::Sim3& S) {
   CHECK(S.s == Approx(scene.now.S_camera_other.s).epsilon(1e-6));
@@ -86,6 +32,8 @@ TEST_CASE("a merge begins with the scale of its place", "[hooks]") {
     CHECK(scene.matched == &scene.other);
     CHECK(scene.last == &scene.now);
     CHECK(scene.other.kept);
+    CHECK(scene.map_points.size() == 100);
+    CHECK(count_matches(scene.matches) == 100);
 
     // With a scale of one it is found only where that is right.
     MergeScene unscaled(scale);
@@ -110,7 +58,7 @@ TEST_CASE("a merge begins at the first place that stands the host's test", "[hoo
   MergedKeyFrame culled;
   culled.bad = true;
   MergeHooks hooks;
-  hooks.places = {scene.place(0.5F), scene.place(), scene.place()};
+  hooks.places = {scene.place(0.51F), scene.place(), scene.place()};
   hooks.places[1].key_frame = &culled;
   CHECK(scene.begins(hooks, false));
   CHECK(hooks.tried == std::vector<int>{2});
@@ -118,7 +66,7 @@ TEST_CASE("a merge begins at the first place that stands the host's test", "[hoo
   MergeScene refused(1.0);
   MergeHooks none;
   none.places = {refused.place()};
-  CHECK_FALSE(refused.begins(none, false, false));
+  CHECK_FALSE(refused.begins(none, false, 0));
   CHECK(none.tried == std::vector<int>{-1});
   CHECK(refused.matched == nullptr);
   CHECK_FALSE(refused.other.kept);
@@ -129,18 +77,90 @@ TEST_CASE("a merge begins at the first place that stands the host's test", "[hoo
 
   refused.coincidences = 2;  // one is under way
   none.asked = 0;
-  CHECK_FALSE(refused.begins(none, false));
+  CHECK_FALSE(refused.begins(none, false, 4));
   CHECK(none.asked == 0);
 }
 
-TEST_CASE("a merge asks for twenty matches", "[hooks]") {
-  for (const std::size_t count : {19U, 20U}) {
+TEST_CASE("a merge asks for eighty matches, as the host does", "[hooks]") {
+  for (const std::size_t count : {79U, 80U}) {
     MergeScene scene(1.0);
     scene.other.points.resize(count);
     MergeHooks hooks;
     hooks.places = {scene.place()};
-    CHECK(scene.begins(hooks, false) == (count == 20));
+    CHECK(scene.begins(hooks, false) == (count == 80));
   }
+}
+
+TEST_CASE("a merge is made at once where three key frames beside agree", "[hooks]") {
+  for (const std::size_t agreeing : {1U, 2U, 3U, 4U}) {
+    CAPTURE(agreeing);
+    MergeScene scene(1.0);
+    MergeHooks hooks;
+    hooks.places = {scene.place()};
+    CHECK(scene.begins(hooks, false, agreeing));
+    CHECK(scene.coincidences == static_cast<int>(std::min<std::size_t>(agreeing, 3)));
+    CHECK(scene.merges == (agreeing >= 3));
+  }
+}
+
+TEST_CASE("a key frame beside is asked where it is by its own pose", "[hooks]") {
+  MergeScene scene(2.0);
+  scene.beside[0].T_world_camera.t << 0.0F, 0.3F, 0.0F;  // in the present map's unit
+  MergeHooks hooks;
+  hooks.places = {scene.place()};
+  CHECK(scene.begins(hooks, false));
+  check_truth(scene, scene.Slw);
+  // The last one that was asked stands where `now` does; the first one 0.3 beside.
+  MergeScene first(2.0);
+  first.beside.resize(1);
+  first.now.neighbors = {&first.beside[0]};
+  first.beside[0].T_world_camera.t << 0.0F, 0.3F, 0.0F;
+  CHECK(first.begins(hooks, false));
+  const g2o::Sim3 to_beside{Eigen::Quaterniond::Identity(), {0.0, -0.3, 0.0}, 1.0};
+  const g2o::Sim3 truth = to_beside * first.now.S_camera_other;
+  CHECK((first.given.t - truth.t).norm() < 1e-5);
+  CHECK(first.given.s == Approx(0.5));
+}
+
+TEST_CASE("a place that is further off is looked for in a wide window", "[hooks]") {
+  for (const float off : {0.19F, 0.3F, 0.49F, 0.51F}) {
+    CAPTURE(off);
+    MergeScene scene(1.0);
+    MergeHooks hooks;
+    hooks.places = {scene.place(off)};
+    CHECK(scene.begins(hooks, false) == (off < 0.5F));
+  }
+}
+
+TEST_CASE("a merge begins where two matches of three are wrong", "[hooks]") {
+  for (const double scale : {1.0, 2.0}) {
+    MergeScene scene(scale);
+    scene.see(240, 3);
+    MergeHooks hooks;
+    hooks.places = {scene.place()};
+    CHECK(scene.begins(hooks, false));
+    check_truth(scene, scene.Slw);
+  }
+}
+
+TEST_CASE("a merge is with the key frame that sees most of what is matched", "[hooks]") {
+  MergeScene scene(1.0);
+  MergedKeyFrame more;  // beside the place: it sees the upper seventy, the place the lower thirty
+  more.T_world_camera.t << 0.5F, 0.2F, 1.0F;
+  scene.other.neighbors = {&more};
+  scene.other.points.clear();
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    MergedKeyFrame& seeing = i < 30 ? scene.other : more;
+    seeing.points.push_back(&scene.points[i]);
+    scene.points[i].seen_by = {&seeing};
+  }
+  MergeHooks hooks;
+  hooks.places = {scene.place()};
+  CHECK(scene.begins(hooks, false));
+  CHECK(scene.matched == &more);
+  CHECK(more.kept);
+  CHECK_FALSE(scene.other.kept);
+  check_truth(scene, scene.Slw);
 }
 
 TEST_CASE("ORB-SLAM3: a lost frame gets the pose of its place", "[hooks]") {
@@ -153,9 +173,7 @@ TEST_CASE("ORB-SLAM3: a lost frame gets the pose of its place", "[hooks]") {
     void PlacesTried(int accepted) { tried.push_back(accepted); }
   };
   MergeScene scene(1.0);
-  scene.points.resize(60);
-  scene.other.points.clear();
-  for (MergedPoint& point : scene.points) scene.other.points.push_back(&point);
+  scene.see(60, 1);
   Lost hooks;
   hooks.places = {scene.place(0.0F)};
   ORB_SLAM3::Frame frame;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the program beside an ORB-SLAM takes from its arguments and the user's files.
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,4 +141,18 @@ TEST_CASE("the frames of a kidnapped camera are read with their truth and their 
   const semantic::Inputs inputs(given.arguments);
   CHECK(inputs.kidnap_frames.size() == 1);
   CHECK(inputs.kidnap_truth.size() == 1);
+}
+
+TEST_CASE("the image size that settings do not say is that of the images", "[hooks][regression]") {
+  SmallSequence given;
+  given.arguments.sensor = "mono";
+  given.arguments.settings = given.folder.write(
+      "mono.yaml",
+      "%YAML:1.0\nCamera.fx: 500.0\nCamera.fy: 500.0\nCamera.cx: 319.5\nCamera.cy: 239.5\n");
+  std::filesystem::create_directories(given.folder.path("sequence/rgb"));
+  REQUIRE(cv::imwrite(given.folder.path("sequence/rgb/a.png"), cv::Mat::zeros(48, 64, CV_8UC3)));
+  const semantic::Inputs inputs(given.arguments);
+  CHECK(inputs.calibration.camera.width == 64);
+  CHECK(inputs.calibration.camera.height == 48);
+  CHECK(inputs.settings(given.arguments).camera.width == 64);
 }

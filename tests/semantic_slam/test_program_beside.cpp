@@ -109,6 +109,7 @@ TEST_CASE("the program maps the images of one camera, and finds it by directions
   CHECK(run.says("frames: 6, tracked: 6\nmetres in a unit of the host: 2\n"));
   CHECK(run.says("6 in the bag; exceptions: 0"));
   CHECK(run.says("without depth, by directions: 3 frames asked, 3 verified, 0 of them not within"));
+  CHECK(run.err.empty());
 }
 
 TEST_CASE("the program takes grey stereo pairs", "[hooks][regression]") {

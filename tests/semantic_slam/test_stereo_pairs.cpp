@@ -51,6 +51,27 @@ TEST_CASE("boxes get the depths of a rectified pair's disparities", "[hooks]") {
   check_depths(two_planes());
 }
 
+TEST_CASE("what is near the left border has the depth of its disparities, too",
+          "[hooks][regression]") {
+  const auto at_border = [](const semantic::Images&) {
+    return std::vector<topobag::RangedDetection>{{{24, 100, 104, 380}, topobag::ClassId{56}, 0.9}};
+  };
+  const auto ranged = semantic::with_disparities(at_border, small_calibration())(two_planes());
+  REQUIRE(ranged.size() == 1);
+  CHECK(ranged[0].z == Approx(2.5).epsilon(0.02));
+
+  // What the right image does not show has none: 20 px there.
+  const semantic::Images images = two_planes();
+  const cv::Ptr<cv::StereoSGBM> matcher = cv::StereoSGBM::create(0, 128, 5, 200, 800);
+  const cv::Mat disparity = semantic::disparities(images.rgb, images.depth, *matcher);
+  REQUIRE(disparity.size() == images.rgb.size());
+  for (int column = 0; column < 128; ++column) {
+    double most = 0.0;
+    cv::minMaxLoc(disparity.col(column), nullptr, &most);
+    CHECK(most <= 16.0 * column);
+  }
+}
+
 TEST_CASE("a grey stereo pair is read alike, and has the same depths", "[hooks][regression]") {
   const ScratchFolder folder;
   const semantic::Images made = two_planes();

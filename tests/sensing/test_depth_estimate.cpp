@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -70,31 +69,21 @@ DepthErrors depth_errors(std::size_t points, double noise) {
 
 }  // namespace
 
-TEST_CASE("the deviation of a median is that of medians drawn again and again", "[sensing]") {
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal(5.0, 0.3);
-  for (const std::size_t n : {3U, 4U, 6U, 9U, 10U, 25U, 100U}) {
-    const int rounds = 4000;
-    double squares = 0.0, told = 0.0;
-    for (int round = 0; round < rounds; ++round) {
-      std::vector<double> numbers;
-      for (std::size_t i = 0; i < n; ++i) numbers.push_back(normal(random));
-      told += detail::deviation_of_median(numbers) / rounds;
-      std::nth_element(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(n / 2),
-                       numbers.end());
-      squares += std::pow(numbers[n / 2] - 5.0, 2) / rounds;
-    }
-    CAPTURE(n);
-    CHECK(told / std::sqrt(squares) > 0.85);
-    CHECK(told / std::sqrt(squares) < 1.2);
-  }
-  CHECK(detail::deviation_of_median({2.0}) == 0.0);
-  CHECK(detail::deviation_of_median({2.0, 2.0, 2.0}) == 0.0);
-  std::vector<double> numbers;
-  for (int i = 0; i < 20; ++i) numbers.push_back(normal(random));
-  const double clean = detail::deviation_of_median(numbers);
-  numbers[3] = 1e6;
-  CHECK(detail::deviation_of_median(numbers) < 1.5 * clean);
+TEST_CASE("a depth deviates by how far the box's points are from it", "[sensing]") {
+  const auto deviation = [](const std::vector<double>& depths) {
+    std::vector<DepthPoint> points;
+    for (const double z : depths) points.push_back({depth_box.center(), z});
+    const auto estimate = SparseBoxDepth{}.estimate(SparseDepth(points), depth_box);
+    REQUIRE(estimate);
+    CHECK(estimate->z == 1.0);
+    return estimate->deviation;
+  };
+  CHECK(deviation({1.0, 1.0, 1.0}) == 0.0);
+  // Another surface, behind, and one before that has few points.
+  CHECK(deviation({1.0, 1.0, 1.0, 1.0, 1.3, 1.3}) == Approx(std::sqrt(2 * 0.09 / 6)));
+  CHECK(deviation({0.8, 1.0, 1.0, 1.0, 1.0}) == Approx(std::sqrt(0.04 / 5)));
+  // A wild point counts as half the depth off.
+  CHECK(deviation({1.0, 1.0, 1.0, 1e6}) == Approx(std::sqrt(0.25 / 4)));
 }
 
 TEST_CASE("an estimate's depth is the sampling's own", "[sensing]") {

@@ -83,11 +83,11 @@ class PlaceSearch {
     return good;
   }
 
-  /// Whether the frame, from the pose it has, gets a pose with 50 inliers, as the host asks
-  /// elsewhere, in searches that narrow while the pose gets better.
+  /// Whether the frame, from the pose it has, gets a pose with 30 inliers, from which the host
+  /// searches on elsewhere, in searches that narrow while the pose gets better.
   static bool Converges(Frame& frame, const std::vector<KeyFrame*>& key_frames,
                         const Search& first) {
-    const Search searches[] = {first, {12.0f, 80, 20}, {4.0f, 100, 50}};
+    const Search searches[] = {first, {12.0f, 80, 20}, {4.0f, 100, 30}};
     for (const Search& search : searches) {
       frame.mvpMapPoints.assign(static_cast<std::size_t>(frame.N), nullptr);
       frame.mvbOutlier.assign(static_cast<std::size_t>(frame.N), false);
@@ -107,17 +107,16 @@ class PlaceSearch {
     const std::vector<KeyFrame*> key_frames = Around(place.key_frame);
     for (const Search& first : {Search{40.0f, 64, 10}, Search{100.0f, 50, 10}}) {
       Host::SetPose(frame, place);
-      if (!Converges(frame, key_frames, first)) continue;
-      MatchFurther(frame, key_frames);
-      return true;
+      if (Converges(frame, key_frames, first) && MatchFurther(frame, key_frames) >= 50) return true;
     }
     return false;
   }
 
   /// The host goes on with its local map, and ORB-SLAM3 looks for a lost frame's in windows five
   /// times as wide as usual: what is right there is better matched before, in narrow ones, or wrong
-  /// matches outnumber it. With what the neighbors of the key frames see, too.
-  static void MatchFurther(Frame& frame, const std::vector<KeyFrame*>& key_frames) {
+  /// matches outnumber it. With what the neighbors of the key frames see, too; the number of
+  /// inliers, of which the host asks for 50 elsewhere.
+  static int MatchFurther(Frame& frame, const std::vector<KeyFrame*>& key_frames) {
     std::set<KeyFrame*> known(key_frames.begin(), key_frames.end());
     std::vector<KeyFrame*> further;
     for (KeyFrame* key_frame : key_frames) {
@@ -126,7 +125,7 @@ class PlaceSearch {
       }
     }
     MatchByProjection(frame, further, 4.0f, 100);
-    OptimizePose(frame);
+    return OptimizePose(frame);
   }
 };
 

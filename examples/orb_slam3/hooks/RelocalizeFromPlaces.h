@@ -36,32 +36,39 @@ struct OrbSlam3 {
 
   static void SetPose(Frame& frame, const Place<KeyFrame>& place) { frame.SetPose(PoseOf(place)); }
 
-  /// By OpenCV's RANSAC, which takes four points a sample. The host's own takes six: where one
-  /// match in three is right, its 35 samples hold hardly ever one without a wrong match.
   static void ApplyRansac(Frame& frame) {
+    Sophus::SE3f Tcw;
+    if (FindPose(frame, frame.mvpMapPoints, Tcw)) frame.SetPose(Tcw);
+  }
+
+  /// The pose of a frame or a key frame by its matches, a map point or null for each feature, of
+  /// which its inliers are kept; where it finds none, they stay. By OpenCV's RANSAC, which takes
+  /// four points a sample. The host's own takes six: where one match in three is right, its 35
+  /// samples hold hardly ever one without a wrong match.
+  template <typename Seen>
+  static bool FindPose(const Seen& seen, std::vector<MapPoint*>& matches, Sophus::SE3f& Tcw) {
     std::vector<std::size_t> features;
     std::vector<cv::Point3f> points;
     std::vector<cv::Point2f> rays;  // where they meet the plane one unit before the camera
-    const std::size_t count = std::min(frame.mvpMapPoints.size(), frame.mvKeysUn.size());
+    const std::size_t count = std::min(matches.size(), seen.mvKeysUn.size());
     for (std::size_t i = 0; i < count; ++i) {
-      MapPoint* const point = frame.mvpMapPoints[i];
-      if (!point) continue;
-      const cv::Point3f ray = frame.mpCamera->unproject(frame.mvKeysUn[i].pt);
+      if (!matches[i]) continue;
+      const cv::Point3f ray = seen.mpCamera->unproject(seen.mvKeysUn[i].pt);
       if (!(ray.z > 0.0f)) continue;
-      const Eigen::Vector3f position = point->GetWorldPos();
+      const Eigen::Vector3f position = matches[i]->GetWorldPos();
       features.push_back(i);
       points.emplace_back(position.x(), position.y(), position.z());
       rays.emplace_back(ray.x / ray.z, ray.y / ray.z);
     }
     const std::size_t least = std::max<std::size_t>(10, points.size() / 5);
-    if (points.size() < least) return;
-    const float tolerance = 4.0f / frame.mpCamera->getParameter(0);  // px over the focal length
+    if (points.size() < least) return false;
+    const float tolerance = 4.0f / seen.mpCamera->getParameter(0);  // px over the focal length
     cv::Mat rotation, translation;
     std::vector<int> inliers;
     if (!cv::solvePnPRansac(points, rays, cv::Mat::eye(3, 3, CV_64F), cv::noArray(), rotation,
                             translation, false, 500, tolerance, 0.99, inliers, cv::SOLVEPNP_AP3P) ||
         inliers.size() < least) {
-      return;
+      return false;
     }
     Eigen::Vector3f axis, t;
     for (int i = 0; i < 3; ++i) {
@@ -70,13 +77,14 @@ struct OrbSlam3 {
     }
     const float angle = axis.norm();
     const Eigen::Vector3f unit = angle > 0.0f ? Eigen::Vector3f(axis / angle) : axis;
-    frame.SetPose(Sophus::SE3f(Eigen::Quaternionf(Eigen::AngleAxisf(angle, unit)), t));
-    std::vector<MapPoint*> kept(frame.mvpMapPoints.size(), nullptr);
+    Tcw = Sophus::SE3f(Eigen::Quaternionf(Eigen::AngleAxisf(angle, unit)), t);
+    std::vector<MapPoint*> kept(matches.size(), nullptr);
     for (const int inlier : inliers) {
       const std::size_t feature = features[static_cast<std::size_t>(inlier)];
-      kept[feature] = frame.mvpMapPoints[feature];
+      kept[feature] = matches[feature];
     }
-    frame.mvpMapPoints = kept;
+    matches = kept;
+    return true;
   }
 };
 

@@ -61,14 +61,13 @@ class SparseDepth {
 /// The sampling policy that goes with sparse points: the median of the nearest dense cluster of the
 /// points inside the box, and its deviation. O(points + k log k) for k points in the box.
 ///
-/// The deviation is the standard error of the median, by the median absolute deviation, of the
-/// points within two clusters' widths of it: what a few points of noisy depth leave open. Its floor
-/// is `NodeNoise`, beside which it stands: many points average their noise, but not what they have
-/// in common, a baseline, a pose, the object's own depth. Of made-up points (a test) with noise of
-/// up to 6 % of the depth, which one cluster holds, six and more give a depth whose squared error
-/// is 1.3 times the node's variance at most, three 3.3 times; by `NodeNoise` alone it is 4.1
-/// and 8.7 times. Of noisier points the nearest cluster's median lies before the object's: widen
-/// `cluster_width`.
+/// The deviation is the r.m.s. distance of all those points from it, a point further off counted as
+/// half the depth off: a box holds points of more than one surface, for features lie on what
+/// surrounds a bare screen or shows through a chair, and its object may be at any of them. On the
+/// boxes of fr1 (1,062, depth images as the truth) 68, 90 and 95 of 100 depths are within 0.6, 1.6
+/// and 2.2 σ of this and `NodeNoise` together; by the standard error of the median in its place
+/// they were within 1.5, 5.8 and 9.0 σ. Of points of noisy depth, with noise of more than 5 % of
+/// it, the nearest cluster's median lies before the object's: widen `cluster_width`.
 struct SparseBoxDepth {
   double central_share = 0.8;  ///< share of the box's width and height whose points count
   std::size_t min_points = 3;  ///< with fewer there is no depth; >= 1
@@ -82,14 +81,15 @@ struct SparseBoxDepth {
 
   /// The same depth, with its deviation.
   std::optional<DepthEstimate> estimate(const SparseDepth& depth, const BoundingBox& box) const {
-    std::vector<double> depths = depths_in(depth, box);
+    const std::vector<double> depths = depths_in(depth, box);
     const std::optional<double> z = nearest(depths);
     if (!z) return std::nullopt;
-    const double reach = 2.0 * std::max(0.05, cluster_width * *z);
-    depths.erase(std::remove_if(depths.begin(), depths.end(),
-                                [&](double other) { return !(std::abs(other - *z) <= reach); }),
-                 depths.end());
-    return DepthEstimate{*z, depths.empty() ? 0.0 : detail::deviation_of_median(std::move(depths))};
+    double squares = 0.0;
+    for (const double other : depths) {
+      const double off = std::min(std::abs(other - *z), 0.5 * *z);
+      squares += off * off;
+    }
+    return DepthEstimate{*z, std::sqrt(squares / static_cast<double>(depths.size()))};
   }
 
  private:

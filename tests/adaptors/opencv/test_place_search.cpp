@@ -181,23 +181,31 @@ TEST_CASE("the points of covisible key frames are asked too", "[hooks]") {
   CHECK(matched(frame) == 50);
 }
 
-TEST_CASE("a frame that stands at a place is matched with what lies further, too", "[hooks]") {
-  line_host::Scene scene;
-  line_host::KeyFrame* const key_frame = scene.alike(49, 30);
-  line_host::KeyFrame* const next = scene.alike(1, 30, 49);
-  line_host::KeyFrame* const further = scene.alike(8, 30, 50);
-  key_frame->neighbors = {next};
-  next->neighbors = {key_frame, further};
-  further->neighbors = {next, scene.alike(3, 30, 60)};
-  line_host::Hooks hooks;
-  hooks.places = {place(key_frame, 10.0F)};
-  line_host::Frame frame(70);
-  CHECK(line_host::Search::Relocalize(hooks, frame));
-  CHECK(matched(frame) == 58);
-  // A place that asks for what lies further is none.
-  scene.points[48]->distance = 110;
-  line_host::Frame nowhere(70);
-  CHECK_FALSE(line_host::Search::Relocalize(hooks, nowhere));
+TEST_CASE("what lies further around counts where a place has thirty matches", "[hooks]") {
+  struct Case {
+    std::size_t at_place, further;
+    bool stands;
+  };
+  for (const Case& given : {Case{50, 0, true},
+                            {50, 8, true},
+                            {30, 20, true},
+                            {30, 19, false},
+                            {29, 30, false},
+                            {49, 0, false}}) {
+    CAPTURE(given.at_place, given.further);
+    line_host::Scene scene;
+    line_host::KeyFrame* const key_frame = scene.alike(given.at_place - 1, 30);
+    line_host::KeyFrame* const next = scene.alike(1, 30, given.at_place - 1);
+    line_host::KeyFrame* const further = scene.alike(given.further, 30, given.at_place);
+    key_frame->neighbors = {next};
+    next->neighbors = {key_frame, further};
+    further->neighbors = {next, scene.alike(3, 30, 60)};
+    line_host::Hooks hooks;
+    hooks.places = {place(key_frame, 10.0F)};
+    line_host::Frame frame(70);
+    CHECK(line_host::Search::Relocalize(hooks, frame) == given.stands);
+    CHECK(matched(frame) == (given.stands ? given.at_place + given.further : 0));
+  }
 }
 
 TEST_CASE("windows and distances of the searches, against the rule counted out", "[hooks]") {

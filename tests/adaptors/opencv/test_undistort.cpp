@@ -30,3 +30,24 @@ TEST_CASE("boxes move to where a straight camera sees their centres", "[adaptors
   const auto same = undistorted({detection}, camera, cv::Mat());
   CHECK((same[0].box.center() - seen).norm() < 1e-6);
 }
+
+TEST_CASE("what the image's border cuts is cut without distortion, too", "[adaptors][regression]") {
+  const cv::Mat camera = (cv::Mat_<double>(3, 3) << 500, 0, 320, 0, 500, 240, 0, 0, 1);
+  const cv::Mat distortion = (cv::Mat_<double>(4, 1) << 0.3, 0.0, 0.0, 0.0);  // draws inwards
+  const BoundingBox whole{40.0, 30.0, 600.0, 450.0};
+  for (const BoundingBox& box : {BoundingBox{0.0, 200.0, 60.0, 260.0},
+                                 {1.9, 0.0, 60.0, 50.0},
+                                 {500.0, 300.0, 639.0, 479.0},
+                                 {570.0, 100.0, 637.1, 170.0},
+                                 {300.0, 420.0, 360.0, 477.1},
+                                 whole}) {
+    CAPTURE(box.x1, box.y1, box.x2, box.y2);
+    const RangedDetection seen{box, ClassId{1}, 0.5, 2.0};
+    const BoundingBox plain = undistorted({seen}, camera, distortion).at(0).box;
+    const BoundingBox moved = undistorted({seen}, camera, distortion, {640, 480}).at(0).box;
+    CHECK(moved.x1 == (box.x1 < 2.0 ? 0.0 : plain.x1));
+    CHECK(moved.y1 == (box.y1 < 2.0 ? 0.0 : plain.y1));
+    CHECK(moved.x2 == (box.x2 > 637.0 ? 639.0 : plain.x2));
+    CHECK(moved.y2 == (box.y2 > 477.0 ? 479.0 : plain.y2));
+  }
+}

@@ -28,6 +28,8 @@ struct SE3 {
   }
   Quaternion unit_quaternion() const { return q; }
   Vector translation() const { return t; }
+  SE3 inverse() const { return {q.conjugate(), -(q.conjugate() * t)}; }
+  SE3 operator*(const SE3& other) const { return {q * other.q, q * other.t + t}; }
 
   Quaternion q = Quaternion::Identity();
   Vector t = Vector::Zero();
@@ -77,11 +79,15 @@ struct Sim3 {
 
 namespace ORB_SLAM3 {
 
+struct KeyFrame;
+
 struct MapPoint {
   bool bad = false;
   Eigen::Vector3f position = Eigen::Vector3f::Zero();
+  std::set<const KeyFrame*> seen_by;
 
   bool isBad() const { return bad; }
+  bool IsInKeyFrame(KeyFrame* key_frame) const { return seen_by.count(key_frame) != 0; }
   Eigen::Vector3f GetWorldPos() const { return position; }
 };
 
@@ -100,12 +106,19 @@ struct KeyFrame {
   Sophus::SE3f T_world_camera;
   g2o::Sim3 S_camera_other;  ///< the truth: the other map's world to this camera, in its own unit
   std::vector<MapPoint*> points;
+  std::vector<KeyFrame*> neighbors;
+  std::vector<cv::KeyPoint> mvKeysUn;
+  GeometricCamera* mpCamera = nullptr;
 
   bool isBad() const { return bad; }
   void SetNotErase() { kept = true; }
+  Sophus::SE3f GetPose() const { return T_world_camera.inverse(); }
   Sophus::SE3f GetPoseInverse() const { return T_world_camera; }
   std::vector<MapPoint*> GetMapPointMatches() const { return points; }
-  std::vector<KeyFrame*> GetBestCovisibilityKeyFrames(int) const { return {}; }
+  std::vector<KeyFrame*> GetBestCovisibilityKeyFrames(int most) const {
+    const auto count = std::min(neighbors.size(), static_cast<std::size_t>(most));
+    return {neighbors.begin(), neighbors.begin() + static_cast<std::ptrdiff_t>(count)};
+  }
 };
 
 struct Frame {
@@ -119,7 +132,12 @@ struct Frame {
   void SetPose(const Sophus::SE3f& Tcw) { pose = Tcw; }
 };
 
-/// A camera that is 1 cm off projects 2 px off.
+/// A feature of a key frame that resembles a point which it does not show.
+inline bool is_wrong(const KeyFrame& key_frame, std::size_t feature) {
+  return feature < key_frame.mvKeysUn.size() && key_frame.mvKeysUn[feature].response < 0.0F;
+}
+
+/// A camera that is 1 cm off projects 2 px off; wrong features match in wide windows alone.
 struct ORBmatcher {
   ORBmatcher(float, bool) {}
 
@@ -133,16 +151,21 @@ struct ORBmatcher {
     const Eigen::Vector3f center = -(Scw.q.conjugate() * Scw.t) / Scw.s;
     const double off = (center.cast<double>() - key_frame->S_camera_other.center()).norm();
     if (200.0 * off > window) return 0;
-    const std::size_t count = std::min(points.size(), matches.size());
-    std::copy_n(points.begin(), count, matches.begin());
-    return static_cast<int>(count);
+    int found = 0;
+    for (std::size_t i = 0; i < std::min(points.size(), matches.size()); ++i) {
+      if (window < 40 && is_wrong(*key_frame, i)) continue;
+      matches[i] = points[i];
+      ++found;
+    }
+    return found;
   }
 };
 
 struct Optimizer {
   static int PoseOptimization(Frame* frame) { return frame->N; }
 
-  /// Finds the truth from a scale that is a tenth off, and from no other.
+  /// Finds the truth from a scale that is a tenth off, and from no other; not among matches of
+  /// which most are wrong, or one is not seen by the other key frame.
   static int OptimizeSim3(KeyFrame* key_frame, KeyFrame* other, std::vector<MapPoint*>& matches,
                           g2o::Sim3& S, float, bool fixed_scale, Eigen::Matrix<double, 7, 7>&,
                           bool) {
@@ -150,6 +173,13 @@ struct Optimizer {
     const g2o::Sim3 truth = key_frame->S_camera_other * g2o::Sim3(T.q, T.t, 1.0);
     if (S.s < 0.9 * truth.s || S.s > 1.1 * truth.s) return 0;
     if (fixed_scale && S.s != 1.0) return 0;
+    int wrong = 0;
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+      if (!matches[i]) continue;
+      if (!matches[i]->IsInKeyFrame(other)) return 0;
+      wrong += is_wrong(*key_frame, i) ? 1 : 0;
+    }
+    if (2 * wrong > count_matches(matches)) return 0;
     S = truth;
     return count_matches(matches);
   }
