@@ -57,3 +57,13 @@ TEST_CASE("a box contains its border", "[types]") {
   CHECK_FALSE(box.contains({30.1, 40.0}));
   CHECK_FALSE(box.contains({20.0, 19.9}));
 }
+
+TEST_CASE("a box that comes near the image's border is cut by it", "[types]") {
+  const auto is_cut = [](const BoundingBox& box) { return box.is_cut(640.0, 480.0); };
+  CHECK_FALSE(is_cut({2.0, 2.0, 637.0, 477.0}));
+  CHECK(is_cut({1.9, 2.0, 637.0, 477.0}));
+  CHECK(is_cut({2.0, 1.9, 637.0, 477.0}));
+  CHECK(is_cut({2.0, 2.0, 637.1, 477.0}));
+  CHECK(is_cut({2.0, 2.0, 637.0, 477.1}));
+  CHECK(is_cut({-5.0, 100.0, 60.0, 200.0}));  // beyond it, too
+}

@@ -87,9 +87,7 @@ LiftedNodes<Scalar> lift_with(const Detections& detections, const DepthOf& depth
       node.position = camera.back_project(*node.pixel, node.z);
       node.size = {static_cast<Scalar>(box.width()) * node.z / camera.fx,
                    static_cast<Scalar>(box.height()) * node.z / camera.fy};
-      const bool truncated =
-          size_known && (box.x1 < 2.0 || box.y1 < 2.0 || box.x2 > camera.width - 3.0 ||
-                         box.y2 > camera.height - 3.0);
+      const bool truncated = size_known && box.is_cut(camera.width, camera.height);
       node.covariance = options.noise
                             .covariance(node.position->template cast<double>(),
                                         node.size.template cast<double>(), truncated)

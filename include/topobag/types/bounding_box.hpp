@@ -41,6 +41,15 @@ struct BoundingBox {
     return pixel.x() >= x1 && pixel.x() <= x2 && pixel.y() >= y1 && pixel.y() <= y2;
   }
 
+  /// px; a side nearer to the image's border than this is where the border cuts the object.
+  static constexpr double cut_margin = 2.0;
+
+  /// Whether the border of an image of so many pixels cuts the object.
+  bool is_cut(double image_width, double image_height) const noexcept {
+    return x1 < cut_margin || y1 < cut_margin || x2 > image_width - 1.0 - cut_margin ||
+           y2 > image_height - 1.0 - cut_margin;
+  }
+
   /// The part inside an image of so many pixels; not valid when nothing is left.
   BoundingBox clipped(double image_width, double image_height) const noexcept {
     return {std::max(x1, -0.5), std::max(y1, -0.5), std::min(x2, image_width - 0.5),

@@ -18,11 +18,12 @@ namespace detail {
 /// The box, moved, with the sides at the image's border that were there before: what the border
 /// cuts goes on beyond it.
 inline BoundingBox kept_cut(BoundingBox moved, const BoundingBox& before, const cv::Size& image) {
-  const double border = 2.0;  // px, as lifting has it
-  if (before.x1 < border) moved.x1 = std::min(moved.x1, 0.0);
-  if (before.y1 < border) moved.y1 = std::min(moved.y1, 0.0);
-  if (before.x2 > image.width - 1.0 - border) moved.x2 = std::max(moved.x2, image.width - 1.0);
-  if (before.y2 > image.height - 1.0 - border) moved.y2 = std::max(moved.y2, image.height - 1.0);
+  const double margin = BoundingBox::cut_margin;
+  const double right = image.width - 1.0, lower = image.height - 1.0;
+  if (before.x1 < margin) moved.x1 = std::min(moved.x1, 0.0);
+  if (before.y1 < margin) moved.y1 = std::min(moved.y1, 0.0);
+  if (before.x2 > right - margin) moved.x2 = std::max(moved.x2, right);
+  if (before.y2 > lower - margin) moved.y2 = std::max(moved.y2, lower);
   return moved;
 }
 
