@@ -27,8 +27,8 @@ count_cases() {
   failed=$((failed + failures))
 }
 
-# Those of the program beside all others: about half of the time each.
-halves=('[examples]~[fleet]~[long]' '~[examples]~[long],[fleet]~[long]')
+# Most of those of the program beside all others: about half of the time each.
+halves=('[examples]~[fleet]~[regression]~[long]' '~[examples]~[long],[fleet]~[long],[examples][regression]~[long]')
 log=build/tests/log
 runs=()
 for half in 0 1; do
