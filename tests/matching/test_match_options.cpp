@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <random>
 
 #include <Eigen/Geometry>
@@ -86,4 +88,31 @@ TEST_CASE("as many poses are worked out as the options say, at most", "[matching
     options.max_hypotheses = most;
     CHECK(match_graphs(grid, grid, options).poses.size() <= most);
   }
+}
+
+TEST_CASE("what chance explains better at first is not worked out, but for the best",
+          "[matching]") {
+  MatchOptions every_pose;
+  every_pose.min_promise = std::numeric_limits<double>::lowest();
+  std::mt19937 random(73);
+  std::size_t poses = 0, of_all = 0, followed = 0;
+  for (int round = 0; round < 200; ++round) {
+    // Every other query shows what the candidate shows.
+    const TopologyGraph<> candidate = noisy_graph(random, 8, 2);
+    const TopologyGraph<> query =
+        round % 2 == 0 ? noisy_graph(random, 8, 2) : jittered(random, candidate, 1.0);
+    const GraphMatch match = match_graphs(candidate, query);
+    const GraphMatch all = match_graphs(candidate, query, every_pose);
+    CHECK(match.complete == all.complete);
+    CHECK(match.poses.empty() == all.poses.empty());
+    poses += match.poses.size();
+    of_all += all.poses.size();
+    if (match.poses.empty()) continue;
+    if (all.poses.front().score() > 1.0) {
+      CHECK(match.poses.front().inliers == all.poses.front().inliers);
+      ++followed;
+    }
+  }
+  CHECK(followed >= 80);
+  CHECK(poses < of_all);
 }

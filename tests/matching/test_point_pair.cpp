@@ -182,6 +182,21 @@ TEST_CASE("a pair's covariance is positive definite, and bounded by the object's
   }
 }
 
+TEST_CASE("no pose gives a pair's residual more variance than the pair says", "[matching]") {
+  std::mt19937 random(23);
+  double closest = 0.0;
+  for (int round = 0; round < 300; ++round) {
+    const TopologyGraph<> target = noisy_graph(random, 1, 1), source = noisy_graph(random, 1, 1);
+    const PointPair pair = point_pair(target.nodes().front(), source.nodes().front());
+    const Eigen::Matrix3d covariance = pair.covariance(random_motion(random, 1.0));
+    const double greatest =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()(2);
+    CHECK(greatest <= pair.max_variance());
+    closest = std::max(closest, greatest / pair.max_variance());
+  }
+  CHECK(closest > 0.3);
+}
+
 TEST_CASE("a pair looked at from the other graph is the same pair", "[matching]") {
   std::mt19937 random(4);
   for (int round = 0; round < 100; ++round) {

@@ -152,6 +152,7 @@ void bind_match_options(py::module_& module) {
       .field("max_steps", &MatchOptions::max_steps)
       .field("slack", &MatchOptions::slack)
       .field("max_hypotheses", &MatchOptions::max_hypotheses)
+      .field("min_promise", &MatchOptions::min_promise)
       .field("inlier_deviations", &MatchOptions::inlier_deviations)
       .field("max_residual", &MatchOptions::max_residual)
       .field("min_spread", &MatchOptions::min_spread)

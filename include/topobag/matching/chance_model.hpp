@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include <topobag/matching/class_confusion.hpp>
 #include <topobag/matching/class_groups.hpp>
 #include <topobag/matching/correspondence.hpp>
+#include <topobag/matching/detail/few_keys.hpp>
 #include <topobag/matching/detail/slab.hpp>
 #include <topobag/matching/layout_prior.hpp>
 #include <topobag/matching/refine_pose.hpp>
@@ -80,9 +80,9 @@ struct ChanceModel {
                       const ClassGroups& groups = {},
                       const std::optional<SharedVertical>& vertical = std::nullopt) const {
     if (pairs.size() < (vertical ? 2U : 3U)) return 0.0;
-    double significance =
-        log10_bayes_factor(points, pose, vertical) -
-        log10_ways(candidate, query, pairs, joined_by(pairs, candidate, query, groups, affinity));
+    const auto joined = joined_by(pairs, candidate, query, groups, affinity);
+    double significance = log10_bayes_factor(points, pose, vertical) -
+                          log10_ways(candidate, query, pairs, joined ? *joined : groups);
     SizeEvidence sizes_so_far(sizes);
     double looks = 0.0;  // log10 odds of the pairs, added up
     for (const Correspondence& pair : pairs) {
@@ -161,7 +161,7 @@ struct ChanceModel {
     struct Counts {
       std::size_t candidate = 0, query = 0, matched = 0;
     };
-    std::map<ClassId, Counts> counts;
+    detail::FewKeys<ClassId, Counts> counts;
     for (const auto& node : candidate.nodes()) {
       if (node.position) ++counts[groups.group(node.label)].candidate;
     }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -116,19 +117,22 @@ double label_cost(const SemanticNode<Scalar>& candidate, const SemanticNode<Scal
 }
 
 /// `groups` with the classes joined that `pairs` take for one another by an affinity, or by the
-/// weights of their labels; other pairs join nothing.
+/// weights of their labels; nothing where no pair does.
 /// @param pairs  a range of `Correspondence` between the nodes of the two graphs
 /// O(pairs · classes).
 template <typename Pairs, typename Graph>
-ClassGroups joined_by(const Pairs& pairs, const Graph& candidate, const Graph& query,
-                      ClassGroups groups, const ClassAffinity& affinity) {
+std::optional<ClassGroups> joined_by(const Pairs& pairs, const Graph& candidate, const Graph& query,
+                                     const ClassGroups& groups, const ClassAffinity& affinity) {
+  std::optional<ClassGroups> joined;
   for (const auto& pair : pairs) {
     const auto& p = candidate.node(pair.candidate);
     const auto& q = query.node(pair.query);
-    if (groups.compatible(p.label, q.label)) continue;
-    if (label_affinity(p, q, affinity) > 0.0) groups.join(p.label, q.label);
+    if ((joined ? *joined : groups).compatible(p.label, q.label)) continue;
+    if (!(label_affinity(p, q, affinity) > 0.0)) continue;
+    if (!joined) joined = groups;
+    joined->join(p.label, q.label);
   }
-  return groups;
+  return joined;
 }
 
 }  // namespace v0

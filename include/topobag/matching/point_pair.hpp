@@ -58,6 +58,13 @@ struct PointPair {
     return sum;
   }
 
+  /// Of the residual in any direction and under any pose, m²: no more than this.
+  double max_variance() const {
+    const double chord = target_view.norm() + source_view.norm();
+    const double share2 = front_share * front_share + 3.0 * outline_share * outline_share;
+    return target_covariance.trace() + source_covariance.trace() + share2 * chord * chord;
+  }
+
   /// The same pair as if both had seen the object from one side: its covariance is that of the
   /// measurements alone, whatever the pose.
   PointPair seen_alike() const { return {target, source, target_covariance, source_covariance}; }

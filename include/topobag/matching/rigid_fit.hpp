@@ -76,6 +76,25 @@ struct Centroids {
   const Eigen::VectorXd& weights_;
 };
 
+/// `fit_rigid` without what says how well the points pin it down.
+template <typename Target, typename Source>
+Eigen::Isometry3d rigid_motion(const Target& target, const Source& source, const Centroids& mean) {
+  Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < source.cols(); ++i) {
+    correlation += mean.weight(i) / mean.total * (target.col(i) - mean.target) *
+                   (source.col(i) - mean.source).transpose();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
+  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) signs.z() = -1.0;
+  const Eigen::Matrix3d R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
+  T_target_source.linear() = R;
+  T_target_source.translation() = mean.target - R * mean.source;
+  return T_target_source;
+}
+
 }  // namespace detail
 
 /// The rotation (det = +1) and translation that carry `source` onto `target` with the least
@@ -94,20 +113,8 @@ std::optional<RigidFit> fit_rigid(const Eigen::MatrixBase<Target>& target,
   TOPOBAG_ASSERT(weights.size() == 0 || weights.size() == source.cols());
   if (source.cols() < 1) return std::nullopt;
   const detail::Centroids mean(target, source, weights);
-  Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
-  for (Eigen::Index i = 0; i < source.cols(); ++i) {
-    correlation += mean.weight(i) / mean.total * (target.col(i) - mean.target) *
-                   (source.col(i) - mean.source).transpose();
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) signs.z() = -1.0;
-
   RigidFit fit;
-  const Eigen::Matrix3d R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  fit.T_target_source.linear() = R;
-  fit.T_target_source.translation() = mean.target - R * mean.source;
+  fit.T_target_source = detail::rigid_motion(target, source, mean);
   double squares = 0.0;
   for (Eigen::Index i = 0; i < source.cols(); ++i) {
     const Eigen::Vector3d residual = target.col(i) - fit.T_target_source * source.col(i);

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include <topobag/matching/detail/few_keys.hpp>
 #include <topobag/types/ids.hpp>
 
 namespace topobag {
@@ -60,9 +61,9 @@ class SizeEvidence {
       const auto i = static_cast<int>(side);
       const double a = static_cast<double>(size_a[i]), b = static_cast<double>(size_b[i]);
       if (!(a > 0.0 && b > 0.0)) continue;
-      const auto [offset, is_new] = offsets_.insert({{label, side}, {}});
-      if (is_new) offset->second.variance = 2.0 * squared(spread.between[side]);
-      factor += log10_factor(offset->second, spread.within[side], std::log(a / b));
+      const auto [offset, is_new] = offsets_.insert({label, side});
+      if (is_new) offset.variance = 2.0 * squared(spread.between[side]);
+      factor += log10_factor(offset, spread.within[side], std::log(a / b));
     }
     return factor;
   }
@@ -90,7 +91,7 @@ class SizeEvidence {
   }
 
   const SizePrior& prior_;
-  std::map<std::pair<ClassId, std::size_t>, Offset> offsets_;
+  detail::FewKeys<std::pair<ClassId, std::size_t>, Offset> offsets_;
 };
 
 }  // namespace v0

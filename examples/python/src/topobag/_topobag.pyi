@@ -502,13 +502,14 @@ class ScaleRange:
     max_tried: int
 
 class MatchOptions:
-    def __init__(self, consistency: ConsistencyOptions = ..., chance: ChanceModel = ..., missing: MissingObjects = ..., viewpoint: ViewpointPrior = ..., refine: RefineOptions = ..., max_steps: int = ..., slack: int = ..., max_hypotheses: int = ..., inlier_deviations: float = ..., max_residual: float = ..., min_spread: float = ..., max_rotation_deviation: float = ..., distinct_translation: float = ..., distinct_rotation: float = ..., scale: Optional[ScaleRange] = ...) -> None: ...
+    def __init__(self, consistency: ConsistencyOptions = ..., chance: ChanceModel = ..., missing: MissingObjects = ..., viewpoint: ViewpointPrior = ..., refine: RefineOptions = ..., max_steps: int = ..., slack: int = ..., max_hypotheses: int = ..., min_promise: float = ..., inlier_deviations: float = ..., max_residual: float = ..., min_spread: float = ..., max_rotation_deviation: float = ..., distinct_translation: float = ..., distinct_rotation: float = ..., scale: Optional[ScaleRange] = ...) -> None: ...
     chance: ChanceModel
     consistency: ConsistencyOptions
     distinct_rotation: float
     distinct_translation: float
     inlier_deviations: float
     max_hypotheses: int
+    min_promise: float
     max_residual: float
     max_rotation_deviation: float
     max_steps: int

@@ -48,32 +48,46 @@ class PoseJudge {
         pairs_(pairs),
         points_(points),
         options_(options),
-        vertical_(shared_vertical(candidate, query)) {}
+        vertical_(shared_vertical(candidate, query)) {
+    const double max_residual2 = options.max_residual * options.max_residual;
+    const double max_deviation2 = options.inlier_deviations * options.inlier_deviations;
+    reach2_.reserve(points.size());
+    for (const PointPair& pair : points) {
+      reach2_.push_back(std::min(max_residual2, max_deviation2 * pair.max_variance()));
+    }
+  }
 
   /// Where the vertical is known, two objects that do not stand over each other give a pose.
   std::size_t min_pairs() const noexcept { return vertical_ ? 2 : 3; }
 
-  /// The rigid motion that fits these pairs best.
-  Eigen::Isometry3d fitted(const Pairs& pairs) const {
-    const PointSets sets(points_of(pairs));
-    const auto fit = vertical_ ? fit_level(sets.target, sets.source, *vertical_, sets.weights)
-                               : fit_rigid(sets.target, sets.source, sets.weights);
-    return fit->T_target_source;
+  /// What a set of agreeing pairs proposes: the pose that fits them, all pairs that it brings
+  /// together, and what these are worth before they have a say in the pose.
+  struct Proposal {
+    Pairs pairs;
+    Eigen::Isometry3d T_candidate_query;
+    double significance;
+  };
+
+  /// Nothing when too few come together, or those of a proposal that is known: most cliques are
+  /// parts of the same few sets.
+  std::optional<Proposal> propose(const Pairs& clique, const std::vector<Proposal>& known) const {
+    const Eigen::Isometry3d T = fitted(points_of(clique));
+    Pairs supporters = supporters_of(T);
+    if (supporters.size() < min_pairs() || is_among(known, supporters)) return std::nullopt;
+    const double significance =
+        significance_of(T, correspondences(supporters), points_of(supporters));
+    return Proposal{std::move(supporters), T, significance};
   }
 
   /// Refines a pose over `pairs`, then lets every pair that it brings together join, and refines
-  /// over all of them. Nothing when too few remain, or those of a pose that is known: most cliques
-  /// are parts of the same few sets.
+  /// over all of them. Nothing when too few remain, or those of a pose that is known.
   std::optional<Settled> settle(Eigen::Isometry3d T_candidate_query, Pairs pairs,
                                 const std::vector<Settled>& known = {}) const {
     std::vector<PointPair> points = points_of(pairs);
     for (int round = 1;; ++round) {
       T_candidate_query = refined_motion(T_candidate_query, points, options_.refine, vertical_);
       Pairs supporters = supporters_of(T_candidate_query);
-      const bool is_known = std::any_of(known.begin(), known.end(), [&](const Settled& other) {
-        return other.pairs == supporters;
-      });
-      if (supporters.size() < min_pairs() || is_known) return std::nullopt;
+      if (supporters.size() < min_pairs() || is_among(known, supporters)) return std::nullopt;
       const bool same = supporters == pairs;
       pairs = std::move(supporters);
       points = points_of(pairs);
@@ -88,8 +102,7 @@ class PoseJudge {
   RelativePose weigh(const Settled& settled) const {
     std::vector<PointPair> points = points_of(settled.pairs);
     RelativePose pose;
-    pose.inliers.reserve(settled.pairs.size());
-    for (const std::size_t i : settled.pairs) pose.inliers.push_back(pairs_[i]);
+    pose.inliers = correspondences(settled.pairs);
     pose.T_candidate_query = settled.pose.T_target_source;
     pose.covariance = settled.pose.covariance;
     double squares = 0.0;
@@ -102,14 +115,7 @@ class PoseJudge {
                             : spread_about_line(sets.source, sets.weights);
     pose.degenerate = pose.spread < options_.min_spread ||
                       pose.rotation_deviation() > options_.max_rotation_deviation;
-    // The poses of a symmetric layout turn the view in different ways and shall be supported alike.
-    for (PointPair& pair : points) pair = pair.seen_alike();
-    const RefinedPose seen_alike{
-        pose.T_candidate_query,
-        pose_covariance(pose.T_candidate_query, points, options_.refine, vertical_)};
-    pose.significance =
-        options_.chance.significance(candidate_, query_, pose.inliers, points, seen_alike,
-                                     options_.consistency.classes, vertical_);
+    pose.significance = significance_of(pose.T_candidate_query, pose.inliers, std::move(points));
     pose.missing = options_.missing.find(candidate_, query_, pose.inliers, pose.T_candidate_query);
     for (const MissingObject& object : pose.missing) pose.missing_cost += object.cost;
     const auto R = pose.T_candidate_query.linear();
@@ -120,12 +126,11 @@ class PoseJudge {
 
   /// One-to-one pairs that the pose brings together, the closest (in standard deviations) first.
   Pairs supporters_of(const Eigen::Isometry3d& T_candidate_query) const {
-    const double max_residual2 = options_.max_residual * options_.max_residual;
     const double max_deviation2 = options_.inlier_deviations * options_.inlier_deviations;
     std::vector<std::pair<double, std::size_t>> near;
     near.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (points_[i].residual(T_candidate_query).squaredNorm() > max_residual2) continue;
+      if (points_[i].residual(T_candidate_query).squaredNorm() > reach2_[i]) continue;
       const double deviation2 = points_[i].squared_deviation(T_candidate_query);
       if (deviation2 <= max_deviation2) near.emplace_back(deviation2, i);
     }
@@ -141,6 +146,40 @@ class PoseJudge {
   }
 
  private:
+  /// The rigid motion that fits these points best.
+  Eigen::Isometry3d fitted(const std::vector<PointPair>& points) const {
+    const PointSets sets(points);
+    if (vertical_)
+      return fit_level(sets.target, sets.source, *vertical_, sets.weights)->T_target_source;
+    return rigid_motion(sets.target, sets.source,
+                        Centroids(sets.target, sets.source, sets.weights));
+  }
+
+  /// The poses of a symmetric layout turn the view in different ways and shall be supported alike:
+  /// so all is seen from one side.
+  double significance_of(const Eigen::Isometry3d& T_candidate_query,
+                         const std::vector<Correspondence>& inliers,
+                         std::vector<PointPair> points) const {
+    for (PointPair& pair : points) pair = pair.seen_alike();
+    const RefinedPose seen_alike{
+        T_candidate_query, pose_covariance(T_candidate_query, points, options_.refine, vertical_)};
+    return options_.chance.significance(candidate_, query_, inliers, points, seen_alike,
+                                        options_.consistency.classes, vertical_);
+  }
+
+  template <typename Known>
+  static bool is_among(const std::vector<Known>& known, const Pairs& pairs) {
+    return std::any_of(known.begin(), known.end(),
+                       [&](const Known& other) { return other.pairs == pairs; });
+  }
+
+  std::vector<Correspondence> correspondences(const Pairs& pairs) const {
+    std::vector<Correspondence> chosen;
+    chosen.reserve(pairs.size());
+    for (const std::size_t i : pairs) chosen.push_back(pairs_[i]);
+    return chosen;
+  }
+
   std::vector<PointPair> points_of(const Pairs& pairs) const {
     std::vector<PointPair> points;
     points.reserve(pairs.size());
@@ -156,6 +195,7 @@ class PoseJudge {
   const std::vector<PointPair>& points_;
   const MatchOptions& options_;
   std::optional<SharedVertical> vertical_;
+  std::vector<double> reach2_;  ///< m², squared residual beyond which a pair supports no pose
 };
 
 }  // namespace detail
