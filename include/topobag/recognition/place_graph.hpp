@@ -29,7 +29,7 @@ inline namespace v0 {
 /// without them, those next to the candidate in its session are matched with it. Without any,
 /// the place is the candidate's graph. Entries that `retrieval` does not admit are left out, and
 /// those of a session that stand within `spacing` of one of it that is fused. What it shows depends
-/// on where the query looks, and it is not kept for the next one: fusing takes some 4 % of a query
+/// on where the query looks, and it is not kept for the next one: fusing takes some 6 % of a query
 /// of 3 s windows among 124 rooms.
 /// O(key frames within the region + key frames that are fused · objects²); a bag without `within`
 /// is asked by a query of the region.
