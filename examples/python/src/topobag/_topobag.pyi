@@ -509,10 +509,10 @@ class MatchOptions:
     distinct_translation: float
     inlier_deviations: float
     max_hypotheses: int
-    min_promise: float
     max_residual: float
     max_rotation_deviation: float
     max_steps: int
+    min_promise: float
     min_spread: float
     missing: MissingObjects
     refine: RefineOptions
