@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -90,8 +89,7 @@ TEST_CASE("as many poses are worked out as the options say, at most", "[matching
   }
 }
 
-TEST_CASE("what chance explains better at first is not worked out, but for the best",
-          "[matching]") {
+TEST_CASE("what chance explains much better is not worked out, but for the best", "[matching]") {
   MatchOptions every_pose;
   every_pose.min_promise = std::numeric_limits<double>::lowest();
   std::mt19937 random(73);

@@ -19,7 +19,7 @@ namespace topobag {
 inline namespace v0 {
 
 /// Every distinct pose under which the query graph fits the candidate graph, and chance does not
-/// explain it better; the best one where it does.
+/// explain it much better; the best one where it does.
 struct GraphMatch {
   /// By falling score; empty when fewer agree than determine a pose: three, or two where both
   /// graphs know which way is down; one more where the scale is not known.
@@ -79,10 +79,10 @@ GraphMatch match_known(const TopologyGraph<Scalar>& candidate, const KnownDistan
 /// Matches two graphs and works out every distinct pose between them, best first.
 ///
 /// Large sets of consistent pairs (`match_nodes`) propose poses, each of which gathers the pairs
-/// that it brings together. What chance does not explain better is refined over them, and weighed
-/// against chance and against what should have been seen; where it explains all better, the best
-/// one is. Mirror images fall out in the rigid fit. Deterministic. Cost: that of `match_nodes` and
-/// a few microseconds a hypothesis.
+/// that it brings together. What chance does not explain much better is refined over them, and
+/// weighed against chance and against what should have been seen; where it explains all better, the
+/// best one is. Mirror images fall out in the rigid fit. Deterministic. Cost: that of `match_nodes`
+/// and a few microseconds a hypothesis.
 ///
 /// Where the query's unit is not known (`MatchOptions::scale`), the ratios of the distances between
 /// pairs of objects propose a few scales; at each the query is matched as if it were known, and

@@ -27,9 +27,9 @@ struct MatchOptions {
   /// Cliques whose pose is worked out, largest and tightest first. Where chairs abound a third of
   /// the candidates has more, and what those add is time: half of a query's with 64.
   std::size_t max_hypotheses = 16;
-  /// Significance, at its first fit, of what is worked out, but for the best; what is refined gains
-  /// two decades at most. Chance explains nine poses in ten better: with all of them a query takes
-  /// half as long again, and of 21,078 one is decided otherwise.
+  /// Significance, at its first fit, of what is worked out, but for the best; refining seldom gains
+  /// two decades. Nine poses in ten are below 0: with all of them a query takes half as long again,
+  /// and of 21,078 one is decided otherwise.
   double min_promise = -2.0;
   /// Standard deviations (of a 3-D residual) within which a pair supports a pose.
   double inlier_deviations = default_sensor.gate_deviations;

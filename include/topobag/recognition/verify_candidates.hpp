@@ -122,7 +122,7 @@ CandidateReport matched_report(const Bag& bag, const Candidate& candidate,
 /// does not notice that it has grown.
 ///
 /// Every candidate is matched; of what its objects propose, only that is worked out which chance
-/// does not explain better (`MatchOptions::min_promise`). What could tell beforehand that a
+/// does not explain much better (`MatchOptions::min_promise`). What could tell beforehand that a
 /// candidate cannot come into question is too weak to pay: in rooms, the best bound that the number
 /// of pairs could give leaves out 1 to 13 % of them and 1 to 7 % of the time (with 64 poses of
 /// each), that of the largest consistent set less than 1 % of it.

@@ -16,7 +16,8 @@ namespace detail {
 template <typename Key, typename Value>
 class FewKeys {
  public:
-  /// The key's value, and whether it is new: until the next one is. O(keys).
+  /// The key's value, which stays where it is until another key is new, and whether this one is.
+  /// O(keys).
   std::pair<Value&, bool> insert(const Key& key) {
     const auto at = std::find_if(entries_.begin(), entries_.end(),
                                  [&](const auto& entry) { return entry.first == key; });
