@@ -106,8 +106,8 @@ class LocalGraph {
   /// The objects that `graph()` holds, in its order (ascending id).
   std::vector<std::pair<ObjectId, Node>> objects() const {
     std::vector<std::pair<ObjectId, Node>> kept;
-    for (const ObjectTrack<Scalar>& track : tracks_) {
-      Node node = tracks_.fused(track);
+    for (const auto& [track, estimate] : tracks_) {
+      Node node = estimate;
       const auto [seen, expected] = evidence(track, *node.position);
       node.existence = static_cast<Scalar>(seen) / static_cast<Scalar>(expected);
       if (static_cast<double>(node.existence) < options_.min_existence) continue;

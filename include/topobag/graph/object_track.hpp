@@ -62,6 +62,8 @@ struct ObjectTrack {
     Matrix3 information = Matrix3::Zero();
     Vector3 weighted = Vector3::Zero();
     std::vector<Scalar> widths, heights;
+    widths.reserve(sightings.size());
+    heights.reserve(sightings.size());
     AppearanceMean appearance;
     Node node;
     node.confidence = Scalar(0);

@@ -70,14 +70,13 @@ struct ChanceModel {
   /// vertical is known. O(n + k).
   /// @param pairs   of nodes with positions, one-to-one, each within a group or of a common label.
   ///                Throws InvalidValue for others: there is no way to choose them
-  /// @param points  their positions and covariances, parallel to `pairs`
+  /// @param points  their positions and covariances, parallel to `pairs`: a range of `PointPair`
   /// @param pose    fitted to `points`, with its covariance
   /// @param vertical  where both frames know it
-  template <typename Scalar>
+  template <typename Scalar, typename Points = std::vector<PointPair>>
   double significance(const TopologyGraph<Scalar>& candidate, const TopologyGraph<Scalar>& query,
-                      const std::vector<Correspondence>& pairs,
-                      const std::vector<PointPair>& points, const RefinedPose& pose,
-                      const ClassGroups& groups = {},
+                      const std::vector<Correspondence>& pairs, const Points& points,
+                      const RefinedPose& pose, const ClassGroups& groups = {},
                       const std::optional<SharedVertical>& vertical = std::nullopt) const {
     if (pairs.size() < (vertical ? 2U : 3U)) return 0.0;
     const auto joined = joined_by(pairs, candidate, query, groups, affinity);
@@ -114,13 +113,15 @@ struct ChanceModel {
     double log_factor = 0.0;
     double height_variance = 0.0;  // under chance, the mean
     for (const auto& pair : points) {
+      const Eigen::Vector3d residual = pair.residual(pose.T_target_source);
       const Eigen::Matrix3d covariance = pair.covariance(pose.T_target_source);
-      const double deviation2 = pair.squared_deviation(pose.T_target_source);
-      log_factor -= 0.5 * (deviation2 + 3.0 * log_two_pi + std::log(covariance.determinant()));
-      const double height = slab.normal.dot(pair.residual(pose.T_target_source));
+      const double deviation2 = residual.dot(covariance.inverse() * residual);
+      const double height = slab.normal.dot(residual);
       const double variance =
           slab.normal.dot(covariance * slab.normal) + height_spread * height_spread;
-      log_factor += log_area + 0.5 * (height * height / variance + log_two_pi + std::log(variance));
+      // Of three dimensions where the pose puts it, of one where chance does.
+      log_factor += log_area + 0.5 * (height * height / variance - deviation2) - log_two_pi +
+                    0.5 * std::log(variance / covariance.determinant());
       height_variance += variance / n;
     }
     // The pose's prior: anywhere on the area, turned any way about the normal. How high it is, and
@@ -173,14 +174,14 @@ struct ChanceModel {
     }
     double log_ways = 0.0;
     for (const auto& [group, c] : counts) {
-      if (c.matched > std::min(c.candidate, c.query)) {
+      const std::size_t most = std::min(c.candidate, c.query);
+      if (c.matched > most) {
         throw InvalidValue(
             "the pairs cannot be chosen: they have to be one-to-one, of nodes with positions and "
             "of one class or one group of classes");
       }
       log_ways += log_choose(c.candidate, c.matched) + log_choose(c.query, c.matched) +
-                  log_factorial(c.matched) +
-                  std::log(1.0 + static_cast<double>(std::min(c.candidate, c.query)));
+                  log_factorial(c.matched) + log_choose(most + 1, most);
     }
     return log_ways / std::log(10.0);
   }
@@ -193,10 +194,9 @@ struct ChanceModel {
 
   /// How much more likely other places lay the query's matched objects out so than chance does that
   /// strews them evenly.
-  template <typename Scalar>
+  template <typename Scalar, typename Points>
   double log10_layout_odds(const TopologyGraph<Scalar>& query,
-                           const std::vector<Correspondence>& pairs,
-                           const std::vector<PointPair>& points,
+                           const std::vector<Correspondence>& pairs, const Points& points,
                            const std::optional<SharedVertical>& vertical) const {
     const detail::Slab slab(points, vertical ? &*vertical : nullptr);
     std::vector<ClassId> labels;

@@ -65,15 +65,16 @@ class ConsistencyGraph {
                                    options.noise));
       query_of_.push_back(value(pair.query));
     }
+    // Which pairs agree no branch could foretell: so there is none.
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const detail::Distance* p = candidate_distances_.row(value(pairs_[i].candidate));
       const detail::Distance* q = query_distances_->row(value(pairs_[i].query));
       for (std::size_t j = i + 1; j < pairs_.size(); ++j) {
-        if (pairs_[i].query == pairs_[j].query || pairs_[i].candidate == pairs_[j].candidate)
-          continue;
-        if (!agree(p[value(pairs_[j].candidate)], q[value(pairs_[j].query)], options)) continue;
-        agreement_.set(i, j);
-        agreement_.set(j, i);
+        const bool one_to_one =
+            (pairs_[i].query != pairs_[j].query) & (pairs_[i].candidate != pairs_[j].candidate);
+        const bool alike = agree(p[value(pairs_[j].candidate)], q[value(pairs_[j].query)], options);
+        agreement_.set_if(one_to_one & alike, i, j);
+        agreement_.set_if(one_to_one & alike, j, i);
       }
     }
   }
@@ -116,14 +117,16 @@ class ConsistencyGraph {
 
   static bool agree(const detail::Distance& p, const detail::Distance& q,
                     const ConsistencyOptions& options) {
-    return within_noise(p.length - q.length, p.variance + q.variance, options) &&
-           within_noise(p.drop - q.drop, p.drop_variance + q.drop_variance, options);
+    const bool level = within_noise(p.length - q.length, p.variance + q.variance, options);
+    const bool upright = within_noise(p.drop - q.drop, p.drop_variance + q.drop_variance, options);
+    return level & upright;
   }
 
   static bool within_noise(double difference, double variance, const ConsistencyOptions& options) {
-    if (std::abs(difference) <= options.min_tolerance) return true;
-    if (std::abs(difference) > options.max_tolerance) return false;
-    return difference * difference <= options.deviations * options.deviations * variance;
+    const double size = std::abs(difference);
+    return (size <= options.min_tolerance) |
+           ((size <= options.max_tolerance) &
+            (size * size <= options.deviations * options.deviations * variance));
   }
 
   bool complete_;

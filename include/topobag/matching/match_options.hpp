@@ -26,7 +26,7 @@ struct MatchOptions {
   std::size_t slack = 1;  ///< cliques this much smaller than the largest are tried as well
   /// Cliques whose pose is worked out, largest and tightest first. Where chairs abound a third of
   /// the candidates has more, and what those add is time: half of a query's with 64.
-  std::size_t max_hypotheses = 16;
+  std::size_t max_hypotheses = 10;
   /// Significance, at its first fit, of what is worked out, but for the best; refining seldom gains
   /// two decades. Nine poses in ten are below 0: with all of them a query takes half as long again,
   /// and of 21,078 one is decided otherwise.

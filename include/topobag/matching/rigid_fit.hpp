@@ -8,9 +8,9 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <topobag/assert.hpp>
+#include <topobag/matching/detail/nearest_rotation.hpp>
 #include <topobag/matching/shared_vertical.hpp>
 
 namespace topobag {
@@ -84,11 +84,7 @@ Eigen::Isometry3d rigid_motion(const Target& target, const Source& source, const
     correlation += mean.weight(i) / mean.total * (target.col(i) - mean.target) *
                    (source.col(i) - mean.source).transpose();
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) signs.z() = -1.0;
-  const Eigen::Matrix3d R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  const Eigen::Matrix3d R = nearest_rotation(correlation);
   Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
   T_target_source.linear() = R;
   T_target_source.translation() = mean.target - R * mean.source;

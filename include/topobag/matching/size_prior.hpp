@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <utility>
 
 #include <topobag/matching/detail/few_keys.hpp>
 #include <topobag/types/ids.hpp>
@@ -55,17 +54,17 @@ class SizeEvidence {
   /// @param size_a  width and height, m; an `Eigen` vector, as is `size_b`
   template <typename Size>
   double log10_factor(ClassId label, const Size& size_a, const Size& size_b) {
-    double factor = 0.0;
+    double factor = 1.0;
     const SizeSpread& spread = prior_.of(label);
+    const auto [offsets, is_new] = offsets_.insert(label);
     for (std::size_t side = 0; side < 2; ++side) {
+      if (is_new) offsets[side].variance = 2.0 * squared(spread.between[side]);
       const auto i = static_cast<int>(side);
       const double a = static_cast<double>(size_a[i]), b = static_cast<double>(size_b[i]);
       if (!(a > 0.0 && b > 0.0)) continue;
-      const auto [offset, is_new] = offsets_.insert({label, side});
-      if (is_new) offset.variance = 2.0 * squared(spread.between[side]);
-      factor += log10_factor(offset, spread.within[side], std::log(a / b));
+      factor *= factor_of(offsets[side], spread.within[side], std::log(a / b));
     }
-    return factor;
+    return std::log10(factor);
   }
 
  private:
@@ -77,7 +76,7 @@ class SizeEvidence {
 
   static double squared(double x) { return x * x; }
 
-  double log10_factor(Offset& offset, double within, double ratio) const {
+  double factor_of(Offset& offset, double within, double ratio) const {
     const double same = squared(prior_.deviation);
     const double apart = 2.0 * squared(within) + same;
     const double predicted = offset.variance + apart;
@@ -87,11 +86,11 @@ class SizeEvidence {
     const double gain = offset.variance / predicted;
     offset.mean += gain * (ratio - offset.mean);
     offset.variance *= 1.0 - gain;
-    return std::log10(prior_.outliers + (1.0 - prior_.outliers) * factor);
+    return prior_.outliers + (1.0 - prior_.outliers) * factor;
   }
 
   const SizePrior& prior_;
-  detail::FewKeys<std::pair<ClassId, std::size_t>, Offset> offsets_;
+  detail::FewKeys<ClassId, std::array<Offset, 2>> offsets_;  ///< of widths and heights
 };
 
 }  // namespace v0

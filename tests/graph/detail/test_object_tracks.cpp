@@ -17,7 +17,7 @@ namespace {
 
 std::vector<Eigen::Vector3d> fused_positions(const detail::ObjectTracks<double>& tracks) {
   std::vector<Eigen::Vector3d> positions;
-  for (const auto& track : tracks) positions.push_back(*tracks.fused(track).position);
+  for (const auto& object : tracks) positions.push_back(*object.estimate.position);
   return positions;
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("tracks keep the sightings from a view on, and go with their last one"
   tracks.add(1, {object_at(1, {0, 0, 3})});
   tracks.forget_before(1);
   REQUIRE(std::distance(tracks.begin(), tracks.end()) == 1);
-  CHECK(tracks.begin()->sightings.size() == 1);
+  CHECK(tracks.begin()->track.sightings.size() == 1);
   tracks.forget_before(2);
   CHECK(tracks.begin() == tracks.end());
 }

@@ -24,9 +24,13 @@ template <typename Scalar>
 class ObjectTracks {
   using Node = SemanticNode<Scalar>;
   using Pose = Eigen::Transform<Scalar, 3, Eigen::Isometry>;
-  using Track = ObjectTrack<Scalar>;
 
  public:
+  struct Object {
+    ObjectTrack<Scalar> track;
+    Node estimate;  ///< what its sightings say together
+  };
+
   explicit ObjectTracks(const LocalGraphOptions& options) : options_(options) {}
 
   /// Adds what a view shows: nodes with positions and covariances. O(objects² + objects · nodes).
@@ -38,101 +42,99 @@ class ObjectTracks {
   /// Carries everything into another frame.
   void move(const Pose& T_new_old) {
     const auto R = T_new_old.linear();
-    for (Track& track : tracks_) {
-      for (auto& sighting : track.sightings) {
-        sighting.node.position = T_new_old * *sighting.node.position;
-        sighting.node.covariance = (R * sighting.node.covariance * R.transpose()).eval();
-      }
+    const auto carry = [&](Node& node) {
+      node.position = T_new_old * *node.position;
+      node.covariance = (R * node.covariance * R.transpose()).eval();
+    };
+    for (Object& object : objects_) {
+      for (auto& sighting : object.track.sightings) carry(sighting.node);
+      carry(object.estimate);
     }
   }
 
   /// Forgets what only earlier views saw.
   void forget_before(std::size_t view) {
-    for (Track& track : tracks_) {
-      auto& s = track.sightings;
-      s.erase(std::remove_if(s.begin(), s.end(),
-                             [&](const auto& sighting) { return sighting.view < view; }),
-              s.end());
+    for (Object& object : objects_) {
+      auto& s = object.track.sightings;
+      const auto forgotten = std::remove_if(
+          s.begin(), s.end(), [&](const auto& sighting) { return sighting.view < view; });
+      if (forgotten == s.end()) continue;
+      s.erase(forgotten, s.end());
+      if (!s.empty()) estimate(object);
     }
-    tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(),
-                                 [](const auto& track) { return track.sightings.empty(); }),
-                  tracks_.end());
+    objects_.erase(
+        std::remove_if(objects_.begin(), objects_.end(),
+                       [](const Object& object) { return object.track.sightings.empty(); }),
+        objects_.end());
   }
 
-  auto begin() const { return tracks_.begin(); }
-  auto end() const { return tracks_.end(); }
-
-  /// What the track's sightings say together.
-  Node fused(const Track& track) const {
-    return track.fused(static_cast<Scalar>(options_.correlation));
-  }
+  auto begin() const { return objects_.begin(); }
+  auto end() const { return objects_.end(); }
 
  private:
-  /// The estimate of each track.
-  std::vector<Node> estimates_of_all() const {
-    std::vector<Node> estimates;
-    for (const Track& track : tracks_) {
-      estimates.push_back(fused(track));
-    }
-    return estimates;
+  void estimate(Object& object) const {
+    object.estimate = object.track.fused(static_cast<Scalar>(options_.correlation));
   }
 
   /// Gives each node to the nearest object within its gate, nearest pairs first; the rest found new
   /// objects.
   void associate(std::size_t view, const std::vector<Node>& nodes) {
-    const std::vector<Node> estimates = estimates_of_all();
-    using Offer = std::tuple<Scalar, std::size_t, std::size_t>;  // deviation in gates, node, track
+    using Offer = std::tuple<Scalar, std::size_t, std::size_t>;  // deviation in gates, node, object
     std::vector<Offer> offers;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      for (std::size_t t = 0; t < estimates.size(); ++t) {
+      for (std::size_t k = 0; k < objects_.size(); ++k) {
+        const Node& known = objects_[k].estimate;
         const double gate =
-            nodes[n].label == estimates[t].label ? options_.gate : options_.other_class_gate;
-        const Scalar deviation =
-            deviations_apart(nodes[n], estimates[t]) / static_cast<Scalar>(gate);
-        if (deviation <= Scalar(1)) offers.emplace_back(deviation, n, t);
+            nodes[n].label == known.label ? options_.gate : options_.other_class_gate;
+        const Scalar deviation = deviations_apart(nodes[n], known) / static_cast<Scalar>(gate);
+        if (deviation <= Scalar(1)) offers.emplace_back(deviation, n, k);
       }
     }
     std::sort(offers.begin(), offers.end());
-    std::vector<bool> given(nodes.size(), false), taken(estimates.size(), false);
-    for (const auto& [deviation, n, t] : offers) {
+    std::vector<bool> given(nodes.size(), false), taken(objects_.size(), false);
+    for (const auto& [deviation, n, k] : offers) {
       if (given[n]) continue;
       // A second box well inside the gate of an object seen in this frame is a duplicate.
-      if (taken[t] && deviation > Scalar(0.33)) continue;
-      if (!taken[t]) tracks_[t].sightings.push_back({view, nodes[n]});
-      given[n] = taken[t] = true;
+      if (taken[k] && deviation > Scalar(0.33)) continue;
+      if (!taken[k]) {
+        objects_[k].track.sightings.push_back({view, nodes[n]});
+        estimate(objects_[k]);
+      }
+      given[n] = taken[k] = true;
     }
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       if (given[n]) continue;
-      tracks_.push_back({ObjectId{next_id_++}, {{view, nodes[n]}}});
+      objects_.push_back({{ObjectId{next_id_++}, {{view, nodes[n]}}}, {}});
+      estimate(objects_.back());
     }
   }
 
   /// Joins objects that are one: two boxes on one thing, tracks that split. The older id stays.
   void merge_coincident() {
-    std::vector<Node> estimates = estimates_of_all();
-    for (std::size_t a = 0; a < tracks_.size(); ++a) {
-      for (std::size_t b = a + 1; b < tracks_.size();) {
-        if (!coincide(tracks_[a], estimates[a], tracks_[b], estimates[b])) {
+    for (std::size_t a = 0; a < objects_.size(); ++a) {
+      for (std::size_t b = a + 1; b < objects_.size();) {
+        if (!coincide(objects_[a], objects_[b])) {
           ++b;
           continue;
         }
-        auto& into = tracks_[a].sightings;
-        into.insert(into.end(), tracks_[b].sightings.begin(), tracks_[b].sightings.end());
+        auto& into = objects_[a].track.sightings;
+        const auto& from = objects_[b].track.sightings;
+        into.insert(into.end(), from.begin(), from.end());
         std::stable_sort(into.begin(), into.end(),
                          [](const auto& l, const auto& r) { return l.view < r.view; });
-        estimates[a] = fused(tracks_[a]);
-        tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(b));
-        estimates.erase(estimates.begin() + static_cast<std::ptrdiff_t>(b));
+        estimate(objects_[a]);
+        objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(b));
       }
     }
   }
 
-  bool coincide(const Track& track_a, const Node& a, const Track& track_b, const Node& b) const {
-    if (options_.merge(a, b)) return true;
-    if (a.label != b.label) return false;
-    if (!(static_cast<double>(deviations_apart(a, b)) < options_.merge_gate)) return false;
-    for (const auto& s : track_a.sightings) {
-      for (const auto& t : track_b.sightings) {
+  bool coincide(const Object& a, const Object& b) const {
+    if (options_.merge(a.estimate, b.estimate)) return true;
+    if (a.estimate.label != b.estimate.label) return false;
+    const auto apart = static_cast<double>(deviations_apart(a.estimate, b.estimate));
+    if (!(apart < options_.merge_gate)) return false;
+    for (const auto& s : a.track.sightings) {
+      for (const auto& t : b.track.sightings) {
         if (s.view == t.view) return false;
       }
     }
@@ -140,7 +142,7 @@ class ObjectTracks {
   }
 
   LocalGraphOptions options_;
-  std::vector<Track> tracks_;  ///< ascending id
+  std::vector<Object> objects_;  ///< ascending id
   std::uint64_t next_id_ = 0;
 };
 

@@ -23,7 +23,11 @@ class BitMatrix {
   BitWord* row(std::size_t i) noexcept { return bits_.data() + i * words_; }
   const BitWord* row(std::size_t i) const noexcept { return bits_.data() + i * words_; }
 
-  void set(std::size_t i, std::size_t j) noexcept { row(i)[j / 64] |= BitWord{1} << (j % 64); }
+  void set(std::size_t i, std::size_t j) noexcept { set_if(true, i, j); }
+  /// Without a branch.
+  void set_if(bool on, std::size_t i, std::size_t j) noexcept {
+    row(i)[j / 64] |= BitWord{on} << (j % 64);
+  }
   void reset(std::size_t i, std::size_t j) noexcept { row(i)[j / 64] &= ~(BitWord{1} << (j % 64)); }
   bool test(std::size_t i, std::size_t j) const noexcept {
     return (row(i)[j / 64] >> (j % 64)) & 1U;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <topobag/matching/detail/bit_matrix.hpp>
@@ -16,8 +17,9 @@ namespace detail {
 /// edge inside (here: pairs that share a query node), so that the number of groups met bounds a
 /// clique's size.
 ///
-/// Bron–Kerbosch with pivoting, cut where a branch cannot reach `size >= largest - slack`. Exact
-/// unless the budget of steps ends first. Deterministic.
+/// Bron–Kerbosch with pivoting, cut where a branch cannot reach `size >= largest - slack`; the
+/// largest is at first what a greedy search finds. Exact unless the budget of steps ends first.
+/// Deterministic.
 class CliqueSearch {
  public:
   /// @param adjacency  symmetric, no self-loops
@@ -28,27 +30,53 @@ class CliqueSearch {
         n_(group.size()),
         words_(adjacency.words()),
         candidates_(n_ + 1, n_),
-        excluded_(n_ + 1, n_) {}
+        excluded_(n_ + 1, n_) {
+    clique_.reserve(n_);
+  }
 
   /// Calls `report(clique)` for maximal cliques (ascending vertices) of at least `min_size`
-  /// vertices and at most `slack` fewer than the largest seen so far. Returns the number of steps,
-  /// `budget` when it ended there.
+  /// vertices and at most `slack` fewer than the largest seen so far; where the budget ends before
+  /// any, for the greedy search's. Returns the number of steps, `budget` when it ended there.
   template <typename Report>
   std::size_t run(std::size_t min_size, std::size_t slack, std::size_t budget, Report&& report) {
     min_size_ = min_size;
     slack_ = slack;
     budget_ = budget;
     steps_ = 0;
-    largest_ = 0;
-    clique_.clear();
-    std::fill(candidates_.row(0), candidates_.row(0) + words_, BitWord{0});
-    std::fill(excluded_.row(0), excluded_.row(0) + words_, BitWord{0});
-    for (std::size_t v = 0; v < n_; ++v) candidates_.set(0, v);
-    if (n_ > 0) expand(report);
+    found_any_ = false;
+    if (n_ == 0) return 0;
+    std::vector<std::size_t> greedy = greedy_clique();
+    largest_ = greedy.size();
+    take_all();
+    expand(report);
+    if (!found_any_ && largest_ >= min_size_) report(std::move(greedy));
     return steps_;
   }
 
  private:
+  /// Begins with the empty clique, which every vertex may extend.
+  void take_all() {
+    clique_.clear();
+    std::fill(candidates_.row(0), candidates_.row(0) + words_, BitWord{0});
+    std::fill(excluded_.row(0), excluded_.row(0) + words_, BitWord{0});
+    for (std::size_t v = 0; v < n_; ++v) candidates_.set(0, v);
+  }
+
+  /// The clique that each time takes the vertex with the most neighbours among those left. From its
+  /// size on the search need not look for smaller ones.
+  std::vector<std::size_t> greedy_clique() {
+    take_all();
+    BitWord* left = candidates_.row(0);
+    std::vector<std::size_t> clique;
+    while (groups_met(left) > 0) {
+      clique.push_back(best_pivot(left, excluded_.row(0)));
+      const BitWord* neighbors = adjacency_.row(clique.back());
+      for (std::size_t w = 0; w < words_; ++w) left[w] &= neighbors[w];
+    }
+    std::sort(clique.begin(), clique.end());
+    return clique;
+  }
+
   template <typename Report>
   void expand(Report& report) {
     if (steps_ >= budget_) return;
@@ -62,9 +90,10 @@ class CliqueSearch {
           std::all_of(excluded, excluded + words_, [](BitWord w) { return w == 0; });
       if (maximal && depth >= goal()) {
         largest_ = std::max(largest_, depth);
+        found_any_ = true;
         std::vector<std::size_t> sorted = clique_;
         std::sort(sorted.begin(), sorted.end());
-        report(sorted);
+        report(std::move(sorted));
       }
       return;
     }
@@ -143,6 +172,7 @@ class CliqueSearch {
   std::size_t budget_ = 0;
   std::size_t steps_ = 0;
   std::size_t largest_ = 0;
+  bool found_any_ = false;
 };
 
 }  // namespace detail

@@ -16,6 +16,8 @@ namespace detail {
 template <typename Key, typename Value>
 class FewKeys {
  public:
+  FewKeys() { entries_.reserve(12); }
+
   /// The key's value, which stays where it is until another key is new, and whether this one is.
   /// O(keys).
   std::pair<Value&, bool> insert(const Key& key) {

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <topobag/graph/topology_graph.hpp>
+#include <topobag/matching/detail/chosen_pairs.hpp>
 #include <topobag/matching/detail/one_to_one.hpp>
 #include <topobag/matching/detail/point_sets.hpp>
 #include <topobag/matching/match_options.hpp>
@@ -71,11 +72,10 @@ class PoseJudge {
   /// Nothing when too few come together, or those of a proposal that is known: most cliques are
   /// parts of the same few sets.
   std::optional<Proposal> propose(const Pairs& clique, const std::vector<Proposal>& known) const {
-    const Eigen::Isometry3d T = fitted(points_of(clique));
+    const Eigen::Isometry3d T = fitted(clique);
     Pairs supporters = supporters_of(T);
     if (supporters.size() < min_pairs() || is_among(known, supporters)) return std::nullopt;
-    const double significance =
-        significance_of(T, correspondences(supporters), points_of(supporters));
+    const double significance = significance_of(T, correspondences(supporters), supporters);
     return Proposal{std::move(supporters), T, significance};
   }
 
@@ -83,24 +83,23 @@ class PoseJudge {
   /// over all of them. Nothing when too few remain, or those of a pose that is known.
   std::optional<Settled> settle(Eigen::Isometry3d T_candidate_query, Pairs pairs,
                                 const std::vector<Settled>& known = {}) const {
-    std::vector<PointPair> points = points_of(pairs);
     for (int round = 1;; ++round) {
-      T_candidate_query = refined_motion(T_candidate_query, points, options_.refine, vertical_);
+      T_candidate_query =
+          refined_motion(T_candidate_query, chosen(pairs), options_.refine, vertical_);
       Pairs supporters = supporters_of(T_candidate_query);
       if (supporters.size() < min_pairs() || is_among(known, supporters)) return std::nullopt;
       const bool same = supporters == pairs;
       pairs = std::move(supporters);
-      points = points_of(pairs);
       if (same || round == max_rounds) break;
     }
-    return Settled{std::move(pairs),
-                   {T_candidate_query,
-                    pose_covariance(T_candidate_query, points, options_.refine, vertical_)}};
+    const auto covariance =
+        pose_covariance(T_candidate_query, chosen(pairs), options_.refine, vertical_);
+    return Settled{std::move(pairs), {T_candidate_query, covariance}};
   }
 
   /// Works out what is to be known of a pose.
   RelativePose weigh(const Settled& settled) const {
-    std::vector<PointPair> points = points_of(settled.pairs);
+    const ChosenPairs<> points = chosen(settled.pairs);
     RelativePose pose;
     pose.inliers = correspondences(settled.pairs);
     pose.T_candidate_query = settled.pose.T_target_source;
@@ -115,7 +114,7 @@ class PoseJudge {
                             : spread_about_line(sets.source, sets.weights);
     pose.degenerate = pose.spread < options_.min_spread ||
                       pose.rotation_deviation() > options_.max_rotation_deviation;
-    pose.significance = significance_of(pose.T_candidate_query, pose.inliers, std::move(points));
+    pose.significance = significance_of(pose.T_candidate_query, pose.inliers, settled.pairs);
     pose.missing = options_.missing.find(candidate_, query_, pose.inliers, pose.T_candidate_query);
     for (const MissingObject& object : pose.missing) pose.missing_cost += object.cost;
     const auto R = pose.T_candidate_query.linear();
@@ -146,9 +145,9 @@ class PoseJudge {
   }
 
  private:
-  /// The rigid motion that fits these points best.
-  Eigen::Isometry3d fitted(const std::vector<PointPair>& points) const {
-    const PointSets sets(points);
+  /// The rigid motion that fits these pairs best.
+  Eigen::Isometry3d fitted(const Pairs& pairs) const {
+    const PointSets sets(chosen(pairs));
     if (vertical_)
       return fit_level(sets.target, sets.source, *vertical_, sets.weights)->T_target_source;
     return rigid_motion(sets.target, sets.source,
@@ -158,9 +157,8 @@ class PoseJudge {
   /// The poses of a symmetric layout turn the view in different ways and shall be supported alike:
   /// so all is seen from one side.
   double significance_of(const Eigen::Isometry3d& T_candidate_query,
-                         const std::vector<Correspondence>& inliers,
-                         std::vector<PointPair> points) const {
-    for (PointPair& pair : points) pair = pair.seen_alike();
+                         const std::vector<Correspondence>& inliers, const Pairs& pairs) const {
+    const ChosenPairs<true> points(points_, pairs);
     const RefinedPose seen_alike{
         T_candidate_query, pose_covariance(T_candidate_query, points, options_.refine, vertical_)};
     return options_.chance.significance(candidate_, query_, inliers, points, seen_alike,
@@ -180,12 +178,7 @@ class PoseJudge {
     return chosen;
   }
 
-  std::vector<PointPair> points_of(const Pairs& pairs) const {
-    std::vector<PointPair> points;
-    points.reserve(pairs.size());
-    for (const std::size_t i : pairs) points.push_back(points_[i]);
-    return points;
-  }
+  ChosenPairs<> chosen(const Pairs& pairs) const { return {points_, pairs}; }
 
   static constexpr int max_rounds = 3;  // inliers rarely change after the second
 

@@ -60,11 +60,11 @@ class PoseSearch {
     std::vector<Clique> cliques;
     std::size_t largest = 0;
     CliqueSearch search(graph_.agreement(), graph_.query_of());
-    const std::size_t steps = search.run(judge_.min_pairs(), options_.slack, options_.max_steps,
-                                         [&](const Clique& clique) {
-                                           largest = std::max(largest, clique.size());
-                                           cliques.push_back(clique);
-                                         });
+    const std::size_t steps =
+        search.run(judge_.min_pairs(), options_.slack, options_.max_steps, [&](Clique clique) {
+          largest = std::max(largest, clique.size());
+          cliques.push_back(std::move(clique));
+        });
     complete = graph_.complete() && steps < options_.max_steps;
 
     std::vector<std::pair<double, Clique>> by_fit;  // rms difference, clique

@@ -58,9 +58,7 @@ Eigen::Matrix<double, Size, Size> inverse_covariance(
 /// ln of the root of Σ's determinant.
 inline double log_root_determinant(const Eigen::Matrix<double, 6, 6>& covariance) {
   const Eigen::Matrix<double, 6, 6> L = cholesky(covariance);
-  double sum = 0.0;
-  for (int i = 0; i < 6; ++i) sum += std::log(L(i, i));
-  return sum;
+  return std::log(L.diagonal().prod());
 }
 
 /// ξᵀ Σ⁻¹ ξ, as |L⁻¹ ξ|².
