@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <topobag/types/detail/one_alignment.hpp>
 #include <topobag/version.hpp>
 
 namespace topobag {
