@@ -19,7 +19,8 @@ namespace detail {
 ///
 /// By the singular vectors of C. Of points that lie along no line the two greater ones follow from
 /// the eigenvectors of CᵀC in closed form, the third one is square to them, and what rounding has
-/// turned is turned back: as exact as a decomposition, which the others get, in a third of its time.
+/// turned is turned back: as exact as a decomposition, which the others get, in a third of its
+/// time.
 template <typename Derived>
 Eigen::Matrix3d nearest_rotation(const Eigen::MatrixBase<Derived>& C) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squared;
