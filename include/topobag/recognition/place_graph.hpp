@@ -29,8 +29,10 @@ inline namespace v0 {
 /// without them, those next to the candidate in its session are matched with it. Without any,
 /// the place is the candidate's graph. Entries that `retrieval` does not admit are left out, and
 /// those of a session that stand within `spacing` of one of it that is fused. What it shows depends
-/// on where the query looks, and it is not kept for the next one: fusing takes some 6 % of a query
-/// of 3 s windows among 124 rooms.
+/// on where the query looks, and it is not kept for the next one: fused around its candidate's
+/// camera, which could be kept, it takes 8 queries of other places for its own in place of 2 of
+/// 15,174, and of 5,904 with a place 2,514 are correct in place of 2,542. Fusing takes some 6 % of
+/// a query of 3 s windows among 124 rooms.
 /// O(key frames within the region + key frames that are fused · objects²); a bag without `within`
 /// is asked by a query of the region.
 template <typename Bag>
