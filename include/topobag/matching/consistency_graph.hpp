@@ -70,11 +70,12 @@ class ConsistencyGraph {
       const detail::Distance* p = candidate_distances_.row(value(pairs_[i].candidate));
       const detail::Distance* q = query_distances_->row(value(pairs_[i].query));
       for (std::size_t j = i + 1; j < pairs_.size(); ++j) {
-        const bool one_to_one =
-            (pairs_[i].query != pairs_[j].query) & (pairs_[i].candidate != pairs_[j].candidate);
+        const bool other_query = pairs_[i].query != pairs_[j].query;
+        const bool other_candidate = pairs_[i].candidate != pairs_[j].candidate;
         const bool alike = agree(p[value(pairs_[j].candidate)], q[value(pairs_[j].query)], options);
-        agreement_.set_if(one_to_one & alike, i, j);
-        agreement_.set_if(one_to_one & alike, j, i);
+        const bool both = other_query & other_candidate & alike;
+        agreement_.set_if(both, i, j);
+        agreement_.set_if(both, j, i);
       }
     }
   }
