@@ -119,7 +119,7 @@ struct ChanceModel {
       const double height = slab.normal.dot(residual);
       const double variance =
           slab.normal.dot(covariance * slab.normal) + height_spread * height_spread;
-      // Of three dimensions where the pose puts it, of one where chance does.
+      // Normal densities: of three dimensions where the pose puts it, of the height by chance.
       log_factor += log_area + 0.5 * (height * height / variance - deviation2) - log_two_pi +
                     0.5 * std::log(variance / covariance.determinant());
       height_variance += variance / n;
@@ -181,7 +181,7 @@ struct ChanceModel {
             "of one class or one group of classes");
       }
       log_ways += log_choose(c.candidate, c.matched) + log_choose(c.query, c.matched) +
-                  log_factorial(c.matched) + log_choose(most + 1, most);
+                  log_factorial(c.matched) + log_choose(most + 1, most);  // most + 1 values
     }
     return log_ways / std::log(10.0);
   }

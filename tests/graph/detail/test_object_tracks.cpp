@@ -49,3 +49,34 @@ TEST_CASE("tracks keep the sightings from a view on, and go with their last one"
   tracks.forget_before(2);
   CHECK(tracks.begin() == tracks.end());
 }
+
+TEST_CASE("an object's estimate stays what its sightings say together", "[graph]") {
+  std::mt19937 random(82);
+  std::normal_distribution<double> normal;
+  std::bernoulli_distribution shown(0.7);
+  const LocalGraphOptions options;
+  detail::ObjectTracks<double> tracks(options);
+  const std::vector<Eigen::Vector3d> places{{0, 0, 3}, {1, 0, 3}, {0, 1, 4}, {0.2, 0, 3}};
+  Eigen::Isometry3d T_now_first = Eigen::Isometry3d::Identity();
+  for (std::size_t view = 0; view < 40; ++view) {
+    std::vector<SemanticNode<>> nodes;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!shown(random)) continue;
+      const Eigen::Vector3d noise(normal(random), normal(random), normal(random));
+      nodes.push_back(
+          object_at(1 + static_cast<int>(i % 2), T_now_first * places[i] + 0.03 * noise));
+    }
+    tracks.add(view, nodes);
+    if (view >= 5) tracks.forget_before(view - 5);
+    const Eigen::Isometry3d T = random_motion(random, 0.2);
+    tracks.move(T);
+    T_now_first = T * T_now_first;
+    for (const auto& [track, estimate] : tracks) {
+      const SemanticNode<> fused = track.fused(options.correlation);
+      CHECK(estimate.position->isApprox(*fused.position, 1e-9));
+      CHECK(estimate.covariance.isApprox(fused.covariance, 1e-9));
+      CHECK(estimate.label == fused.label);
+      CHECK(estimate.size == fused.size);
+    }
+  }
+}
